@@ -1,0 +1,62 @@
+"""Wrap a controller that already works with a learner, so that it improves while it stays in command."""
+
+from tutorstudent.core.actions import Action, component
+from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core.errors import (
+    BrokenPlugin,
+    ContractError,
+    DuplicatePlugin,
+    PipelineError,
+    PluginError,
+    TutorStudentError,
+    UnknownPlugin,
+)
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
+from tutorstudent.core.leaves import Change, Codec, Condition, Encoder, change, condition, encoder
+from tutorstudent.core.proposals import KindProposal, LevelProposal
+from tutorstudent.core.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
+from tutorstudent.core.world import Sketch, Step, World
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Action",
+    "ActionSelector",
+    "Amplifier",
+    "BrokenPlugin",
+    "Change",
+    "Codec",
+    "Component",
+    "Condition",
+    "ContractError",
+    "Decision",
+    "DuplicatePlugin",
+    "Encoder",
+    "Evaluator",
+    "Field",
+    "GradedAction",
+    "Incident",
+    "KindProposal",
+    "Lesson",
+    "LevelProposal",
+    "Moment",
+    "Options",
+    "Outcome",
+    "Part",
+    "PipelineError",
+    "PluginError",
+    "Sketch",
+    "Step",
+    "Student",
+    "Turn",
+    "Tutor",
+    "TutorStudentError",
+    "UnknownPlugin",
+    "World",
+    "change",
+    "component",
+    "condition",
+    "encoder",
+    "hookimpl",
+]

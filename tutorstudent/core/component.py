@@ -1,0 +1,222 @@
+"""The base of everything that a pipeline names: options, life cycle, random stream, learned state."""
+
+from __future__ import annotations
+
+import abc
+import hashlib
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, NamedTuple, TypeVar, cast, get_args, get_origin
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError
+from pydantic_core import CoreSchema, core_schema
+
+from tutorstudent.core.actions import Action
+from tutorstudent.core.errors import ContractError, PipelineError, listing, suggestion
+
+Learned = Mapping[str, Any]
+"""What was learned: arrays, numbers, strings, and mappings of these."""
+
+
+class Options(BaseModel):
+    """Configuration of a component. Unknown options are refused; give each field a description and a unit."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Binding(NamedTuple):
+    """What a component is told once, when a pipeline is put together."""
+
+    seed: int
+    slot: str
+    """Where it stands, for example ``student.encoder``; keys random streams, learned state and messages."""
+    action: type[Action]
+    """The tutor's action class, so that a codec knows the kinds."""
+
+
+def stream(seed: int, slot: str) -> np.random.Generator:
+    """Return the random generator of a slot: the same seed and slot give the same numbers in any process.
+
+    >>> bool(stream(7, "student").random() == stream(7, "student").random())
+    True
+    >>> bool(stream(7, "student").random() == stream(7, "tutor").random())
+    False
+    """
+    digest = hashlib.sha256(slot.encode()).digest()
+    words = [int.from_bytes(digest[i : i + 4], "little") for i in range(0, 16, 4)]
+    return np.random.default_rng(np.random.SeedSequence([seed, *words]))
+
+
+class Component(abc.ABC):
+    """Something with a name, options and a place in a pipeline.
+
+    | when | what to do there |
+    |---|---|
+    | ``__init__(**options)`` | nothing: the base stores the validated options in ``self.options`` |
+    | ``setup()`` | once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open |
+    | ``reset()`` | between trials: forget the episode, keep what was learned (parts of the engine; a world's returns a state) |
+    | ``state_dict()`` / ``load_state_dict()`` | hand out and take back what was learned; never pickle |
+    | ``close()`` | once, at the end |
+    """
+
+    role: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+
+    Options: ClassVar[type[BaseModel]] = Options
+
+    rng: np.random.Generator
+    slot: str = ""
+    action_class: type[Action]
+
+    def __init__(self, **options: Any) -> None:
+        try:
+            self.options: Any = self.Options(**options)
+        except ValidationError as error:
+            raise PipelineError(option_message(type(self), error)) from None
+
+    def bind(self, binding: Binding) -> None:
+        """Tell the component its place. Called once by the engine or the assembler; children first."""
+        if self.slot:
+            raise ContractError(
+                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make a new one for each place."
+            )
+        self.slot = binding.slot
+        self.action_class = binding.action
+        self.rng = stream(binding.seed, binding.slot)
+        for key, part in self.parts():
+            part.bind(binding._replace(slot=f"{binding.slot}.{key}"))
+        self.setup()
+
+    def parts(self) -> Iterator[tuple[str, Component]]:
+        """Yield the nested components with the option that holds them."""
+        for key in type(self.options).model_fields:
+            value = getattr(self.options, key)
+            if isinstance(value, Component):
+                yield key, value
+            elif isinstance(value, list | tuple):
+                yield from ((f"{key}.{i}", item) for i, item in enumerate(value) if isinstance(item, Component))
+
+    def setup(self) -> None:  # noqa: B027 - an optional hook, deliberately concrete
+        """Prepare for work. Random stream, slot and action class are known here."""
+
+    def close(self) -> None:
+        """Let go of what `setup` opened."""
+        for _, part in self.parts():
+            part.close()
+
+    def state_dict(self) -> Learned:
+        """Return what was learned: arrays and plain values, by name."""
+        return {key: state for key, part in self.parts() if (state := part.state_dict())}
+
+    def load_state_dict(self, state: Learned) -> None:
+        """Take back what `state_dict` returned."""
+        nested = dict(self.parts())
+        for key, value in state.items():
+            if key not in nested:
+                raise ContractError(
+                    f"{self.role} '{self.name}' learned nothing named '{key}'{suggestion(key, nested)}; "
+                    f"it takes {listing(nested)}."
+                )
+            nested[key].load_state_dict(value)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""
+        return {"use": self.name} | {
+            key: _described(getattr(self.options, key)) for key in type(self.options).model_fields
+        }
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{key}={getattr(self.options, key)!r}" for key in sorted(self.options.model_fields_set))
+        return f"{type(self).__name__}({given})"
+
+
+class EnginePart(Component):
+    """A component that works inside the engine: it lives through trials."""
+
+    def reset(self) -> None:
+        """Forget the episode, keep what was learned."""
+        for _, part in self.parts():
+            if isinstance(part, EnginePart):
+                part.reset()
+
+
+def _described(value: Any) -> Any:
+    if isinstance(value, Component):
+        return value.describe()
+    if isinstance(value, BaseModel):
+        return {key: _described(getattr(value, key)) for key in type(value).model_fields}
+    if isinstance(value, list | tuple):
+        return [_described(item) for item in value]
+    if isinstance(value, Mapping):
+        return {key: _described(item) for key, item in value.items()}
+    return value
+
+
+class PartMarker:
+    """Marks an option that holds a nested component of one role."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.is_instance_schema(get_origin(source) or source)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {"$ref": f"#/$defs/{cast(Any, schema)['cls'].role}"}
+
+
+_T = TypeVar("_T")
+Part = Annotated[_T, PartMarker()]
+"""An option that is itself a component: ``encoder: ts.Part[ts.Encoder]``."""
+
+
+def part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
+    """Return the role that an option's annotation asks for, or None if the option is no component.
+
+    >>> part_role(int, []) is None
+    True
+    """
+    if any(isinstance(item, PartMarker) for item in metadata):
+        found = get_origin(annotation) or annotation
+        return found if isinstance(found, type) and issubclass(found, Component) else None
+    if get_origin(annotation) is Annotated:
+        inner, *extra = get_args(annotation)
+        return part_role(inner, extra)
+    return next((role for arg in get_args(annotation) if (role := part_role(arg, []))), None)
+
+
+def option_message(cls: type[Component], error: ValidationError) -> str:
+    """Say in one sentence what is wrong with a component's options."""
+    return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in option_problems(cls.Options, error))
+
+
+def option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
+    """Return (location, sentence) for every mistake in a pydantic error about `model`."""
+    return [(tuple(item["loc"]), _problem(model, item)) for item in error.errors(include_url=False)]
+
+
+def _problem(model: type[BaseModel], item: Any) -> str:
+    path = ".".join(str(key) for key in item["loc"])
+    if item["type"] == "extra_forbidden":
+        key = str(item["loc"][-1])
+        known = model.model_fields if len(item["loc"]) == 1 else {}
+        allowed = f" Options: {listing(known)}." if known or len(item["loc"]) == 1 else ""
+        return f"unknown option '{path}'{suggestion(key, known)}.{allowed}"
+    if item["type"] == "missing":
+        return f"option '{path}' is required."
+    if item["type"] == "is_instance_of":
+        return f"option '{path}' must be a component ({item['ctx']['class']}), not {item['input']!r}."
+    return f"option '{path}': {item['msg'][0].lower()}{item['msg'][1:]}, found {item['input']!r}."
+
+
+__all__ = [
+    "Binding",
+    "Component",
+    "EnginePart",
+    "Field",
+    "Learned",
+    "Options",
+    "Part",
+    "PartMarker",
+    "option_message",
+    "option_problems",
+    "part_role",
+    "stream",
+]
