@@ -1,0 +1,1 @@
+"""The algorithm and its contracts; knows no robot, no simulator and no learner."""

@@ -54,7 +54,7 @@ class Component(abc.ABC):
     |---|---|
     | ``__init__(**options)`` | nothing: the base stores the validated options in ``self.options`` |
     | ``setup()`` | once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open |
-    | ``reset()`` | between trials: forget the episode, keep what was learned (parts of the engine; a world's returns a state) |
+    | ``reset()`` | between trials: forget the episode, keep what was learned |
     | ``state_dict()`` / ``load_state_dict()`` | hand out and take back what was learned; never pickle |
     | ``close()`` | once, at the end |
     """
@@ -78,7 +78,7 @@ class Component(abc.ABC):
         """Tell the component its place. Called once by the engine or the assembler; children first."""
         if self.slot:
             raise ContractError(
-                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make a new one for each place."
+                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make one for each place."
             )
         self.slot = binding.slot
         self.action_class = binding.action

@@ -43,7 +43,7 @@ class Tutor(EnginePart, Generic[StateT, ActionT]):
         """What the tutor is in, after `act`: a planner's state, a behaviour tree's tip."""
         return ""
 
-    def executed(self, action: ActionT) -> None:  # noqa: B027 - an optional hook, deliberately concrete
+    def executed(self, action: ActionT) -> None:
         """Hear what was really executed, before the next `act` (for anti-windup)."""
 
 

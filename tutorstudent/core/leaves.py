@@ -76,6 +76,11 @@ class Condition(EnginePart, Generic[StateT]):
 
     role: ClassVar[str] = "condition"
 
+    @property
+    def label(self) -> str:
+        """What violations of it are recorded as; unique within a pipeline."""
+        return self.name
+
     @abc.abstractmethod
     def violated(self, state: StateT) -> bool:
         """Return whether the state violates the condition. Called once per decision, on the resulting state."""
@@ -89,10 +94,10 @@ def encoder(name: str, width: int) -> Callable[[Callable[[Any], Any]], type[Enco
     """Make an encoder of a function of a moment that returns `width` numbers."""
 
     def decorate(function: Callable[[Any], Any]) -> type[Encoder[Any, Any]]:
-        def encode(self: Encoder[Any, Any], moment: Moment[Any, Any]) -> Vector:
+        def encode(_self: Encoder[Any, Any], moment: Moment[Any, Any]) -> Vector:
             return np.asarray(function(moment), dtype=np.float64)
 
-        body = {"width": property(lambda self: width), "encode": encode}
+        body = {"width": property(lambda _self: width), "encode": encode}
         return _leaf(Encoder, name, function, body)
 
     return decorate
@@ -102,7 +107,10 @@ def change(name: str) -> Callable[[Callable[[float, float], float]], type[Change
     """Make a change of a function of (amplification, magnitude)."""
 
     def decorate(function: Callable[[float, float], float]) -> type[Change]:
-        return _leaf(Change, name, function, {"fraction": lambda self, amount, size: function(amount, size)})
+        def fraction(_self: Change, amplification: float, magnitude: float) -> float:
+            return function(amplification, magnitude)
+
+        return _leaf(Change, name, function, {"fraction": fraction})
 
     return decorate
 
@@ -118,7 +126,10 @@ def condition(name: str) -> Callable[[Callable[[Any], bool]], type[Condition[Any
     """
 
     def decorate(function: Callable[[Any], bool]) -> type[Condition[Any]]:
-        return _leaf(Condition, name, function, {"violated": lambda self, state: function(state)})
+        def violated(_self: Condition[Any], state: Any) -> bool:
+            return function(state)
+
+        return _leaf(Condition, name, function, {"violated": violated})
 
     return decorate
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import operator
 from typing import Annotated, Any, TypeVar
 
+import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 
@@ -27,7 +28,7 @@ def exact_bit(value: Any) -> bool:
     >>> exact_bit(1), exact_bit(False)
     (True, False)
     """
-    number = exact_level(value)
+    number = int(value) if isinstance(value, np.bool_) else exact_level(value)
     if number not in (0, 1):
         raise ValueError(f"a bit is 0 or 1, not {number}")
     return number == 1

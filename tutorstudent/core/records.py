@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Generic, NamedTuple, TypeVar
 
 from tutorstudent.core.actions import ActionT
+from tutorstudent.core.proposals import Proposal
 
 StateT = TypeVar("StateT")
 
@@ -42,6 +43,8 @@ class Decision(NamedTuple, Generic[StateT, ActionT]):
     resulting: GradedAction[ActionT]
     executed: ActionT
     """What was executed: the rendered resulting action, or what `Engine.executed` reported."""
+    proposal: Proposal | None
+    """What the student proposed; None where it was not asked or failed."""
 
     @property
     def amplified(self) -> bool:

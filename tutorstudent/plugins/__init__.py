@@ -1,0 +1,1 @@
+"""Reference components; each module registers its own through the one hook."""

@@ -1,0 +1,1 @@
+"""Comparing pipelines on paired seeds."""

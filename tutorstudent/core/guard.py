@@ -1,0 +1,94 @@
+"""Keeps what goes wrong in a part from reaching the robot, and remembers it."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from collections.abc import Callable
+from typing import Any, Literal
+
+from tutorstudent.core.actions import Action, ActionT
+from tutorstudent.core.errors import ContractError
+from tutorstudent.core.proposals import exact_bit, exact_level
+from tutorstudent.core.records import GradedAction, Incident
+
+OnIncident = Literal["continue", "raise"]
+REMEMBERED = 1000
+
+
+class Breach(Exception):
+    """A part did something that its contract forbids, other than raising. Never leaves the engine."""
+
+    def __init__(self, kind: str, message: str) -> None:
+        super().__init__(message)
+        self.kind = kind
+
+
+class Guard:
+    """Records incidents. It never grows without bound: it counts all and remembers the newest."""
+
+    def __init__(self, on_incident: OnIncident) -> None:
+        self.on_incident = on_incident
+        self.counts: Counter[tuple[str, str]] = Counter()
+        """Incidents by (part, kind)."""
+        self.log: deque[Incident] = deque(maxlen=REMEMBERED)
+        self.turn: list[Incident] = []
+        """Incidents of the current decision."""
+
+    def record(self, decision: int, part: str, error: BaseException) -> None:
+        """Remember an incident; in ``raise`` mode, raise it.
+
+        Raises:
+            ContractError: where incidents are to be raised.
+        """
+        kind = error.kind if isinstance(error, Breach) else "raised"
+        incident = Incident(decision, part, kind, _say(error))
+        self.counts[part, kind] += 1
+        self.log.append(incident)
+        self.turn.append(incident)
+        if self.on_incident == "raise":
+            raise ContractError(f"decision {decision}: {part}: {kind}: {incident.message}") from error
+
+    def call(self, decision: int, part: str, function: Callable[[], Any]) -> None:
+        """Call something that belongs to a part; what it raises is an incident."""
+        try:
+            function()
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.record(decision, part, error)
+
+
+def _say(error: BaseException) -> str:
+    name = type(error).__name__
+    try:
+        return str(error) if isinstance(error, Breach) else f"{name}: {error}"[:500]
+    except KeyboardInterrupt:
+        raise
+    except BaseException:
+        return f"{name} (its message could not be read)"
+
+
+def replica(action: ActionT) -> ActionT:
+    """Return a validated copy of an action; raises pydantic's ValidationError if the action is not sound."""
+    values = action.__dict__
+    return type(action)(**{name: values[name] for name in type(action).model_fields})
+
+
+def check_intact(shown: Action, original: Action) -> None:
+    """Raise a `Breach` if the copy that parts were shown no longer says what the original says."""
+    copy, own = shown.__dict__, original.__dict__
+    if copy != own and any(copy.get(name) != own[name] for name in type(original).model_fields):
+        raise Breach("mutated", "the tutor's action was changed; records are for reading.")
+
+
+def received(graded: Any, shown: ActionT, original: ActionT) -> GradedAction[ActionT]:
+    """Return a part's graded action with plain values, round the action that the part was shown."""
+    check_intact(shown, original)
+    if type(graded) is not GradedAction:
+        raise Breach("wrong-return", f"returned {type(graded).__name__}; return a GradedAction.")
+    if graded.action is not shown and graded.action != shown:
+        raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
+    level = exact_level(graded.level)
+    if level < 0:
+        raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
+    return GradedAction(shown, level, exact_bit(graded.ampbit))

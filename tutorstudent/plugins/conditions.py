@@ -1,0 +1,102 @@
+"""Operational conditions: assertions on the resulting state; true means violated (Thesis 3.2.2.5)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.leaves import Condition, condition
+from tutorstudent.core.records import StateT
+from tutorstudent.sims.pioneer.types import PioneerState
+
+
+@condition("bumped")
+def Bumped(state: PioneerState) -> bool:  # noqa: N802 - it becomes a class
+    """The robot hit an obstacle, as it reports it (Thesis 3.3.5)."""
+    return state.stalled
+
+
+class Near(Condition[PioneerState]):
+    """A sonar reads less than a clearance. Its margins are the readings beyond the clearance, in metres."""
+
+    name = "near"
+
+    class Options(Options):
+        """How near is too near."""
+
+        clearance_m: float = Field(default=0.15, ge=0, description="smallest allowed sonar reading, metres")
+
+    def violated(self, state: PioneerState) -> bool:
+        return bool(state.sonar_m.min() < self.options.clearance_m)
+
+    def margins(self, state: PioneerState) -> Sequence[float]:
+        margins: list[float] = (state.sonar_m - self.options.clearance_m).tolist()
+        return margins
+
+
+class _Composed(Condition[StateT]):
+    """Several conditions taken as one."""
+
+    class Options(Options):
+        """Which conditions."""
+
+        of: list[Part[Condition[Any]]] = Field(min_length=1, description="the conditions to combine")
+
+    @property
+    def label(self) -> str:
+        return f"{self.name}({', '.join(part.label for part in self.options.of)})"
+
+
+class AnyOf(_Composed[StateT]):
+    """Violated if any of its conditions is. Its margins are all of theirs."""
+
+    name = "any-of"
+
+    def violated(self, state: StateT) -> bool:
+        answers = [part.violated(state) for part in self.options.of]  # all are asked: conditions may have a memory
+        return any(answers)
+
+    def margins(self, state: StateT) -> Sequence[float] | None:
+        found = [part.margins(state) for part in self.options.of]
+        return [margin for margins in found if margins is not None for margin in margins] or None
+
+
+class AllOf(_Composed[StateT]):
+    """Violated if all of its conditions are. Its margin is the largest of theirs, if all declare any."""
+
+    name = "all-of"
+
+    def violated(self, state: StateT) -> bool:
+        answers = [part.violated(state) for part in self.options.of]  # all are asked: conditions may have a memory
+        return all(answers)
+
+    def margins(self, state: StateT) -> Sequence[float] | None:
+        found = [part.margins(state) for part in self.options.of]
+        nearest = [min(margins) for margins in found if margins is not None and len(margins)]
+        return [max(nearest)] if len(nearest) == len(found) else None
+
+
+class Not(Condition[StateT]):
+    """Violated where another condition is not."""
+
+    name = "not"
+
+    class Options(Options):
+        """Which condition."""
+
+        of: Part[Condition[Any]] = Field(description="the condition to turn round")
+
+    @property
+    def label(self) -> str:
+        return f"not({self.options.of.label})"
+
+    def violated(self, state: StateT) -> bool:
+        return not self.options.of.violated(state)
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    """Return the shipped conditions."""
+    return [Bumped, Near, AnyOf, AllOf, Not]
