@@ -1,0 +1,16 @@
+"""Prototype 2, the tutor of the thesis's application, and encoders of what it senses (Thesis 3.3.1, 3.3.2)."""
+
+from __future__ import annotations
+
+from tutorstudent.core.component import Component
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.plugins.prototype2.encoders import Bits, SituationBits, Thermometer
+from tutorstudent.plugins.prototype2.tutor import Prototype2
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    return [Prototype2, Bits, SituationBits, Thermometer]
+
+
+__all__ = ["Bits", "Prototype2", "SituationBits", "Thermometer"]
