@@ -1,0 +1,123 @@
+"""What students made of an encoder, something that learns, and a codec have in common."""
+
+from __future__ import annotations
+
+import abc
+from typing import TYPE_CHECKING, Any, Generic, cast
+
+import numpy as np
+
+from tutorstudent.core import component
+from tutorstudent.core.actions import ActionT
+from tutorstudent.core.component import Field, Learned, Part
+from tutorstudent.core.errors import ContractError, PipelineError, listing
+from tutorstudent.core.interfaces import Student
+from tutorstudent.core.leaves import Codec, Encoder, Vector
+from tutorstudent.core.proposals import KindProposal, LevelProposal, ProposalT
+from tutorstudent.core.records import Lesson, Moment, StateT
+from tutorstudent.plugins.codecs import KindLevelAmpbit
+
+
+class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT, ProposalT]):
+    """Encode the moment, answer, decode; and learn what the codec makes of a lesson (Thesis 3.3.2, 3.3.5).
+
+    The numbers of the last moment are kept, copied, under its decision number, so that the lesson about it is not
+    encoded again. A subclass says how it answers and learns in terms of numbers, and what it learned as arrays.
+    """
+
+    class Options(component.Options):
+        """The parts of every coded student."""
+
+        encoder: Part[Encoder[Any, Any]] = Field(description="what the student sees")
+        codec: Part[Codec[Any]] = Field(default_factory=KindLevelAmpbit, description="what its outputs mean")
+
+    encoder: Encoder[StateT, ActionT]
+    """What it sees; known after binding."""
+    codec: Codec[ProposalT]
+    """What its outputs mean; known after binding."""
+
+    if TYPE_CHECKING:  # The codec has a default in YAML; in Python it tells a type checker what is proposed.
+
+        def __init__(self, *, encoder: Encoder[StateT, ActionT], codec: Codec[ProposalT], **options: Any) -> None: ...
+
+    @property
+    def proposal(self) -> type[Any]:
+        return cast(Codec[ProposalT], self.options.codec).proposal
+
+    @abc.abstractmethod
+    def answer(self, inputs: Vector) -> ProposalT:
+        """Return the proposal for the inputs, shape (encoder.width,), which the next decision overwrites."""
+
+    @abc.abstractmethod
+    def learn(self, inputs: Vector, targets: Vector) -> None:
+        """Learn the targets, shape (codec.width,), for the inputs, shape (encoder.width,)."""
+
+    @abc.abstractmethod
+    def learned(self) -> Learned:
+        """Return what was learned, without the parts: new arrays and plain values, by name."""
+
+    @abc.abstractmethod
+    def restore(self, learned: Learned) -> None:
+        """Take back what `learned` returned.
+
+        Raises:
+            ContractError: It does not fit; nothing was changed.
+        """
+
+    def setup(self) -> None:
+        self.encoder, self.codec = self.options.encoder, self.options.codec
+        self._inputs = np.empty(self.encoder.width)
+        self._number: int | None = None
+
+    def reset(self) -> None:
+        super().reset()
+        self._number = None
+
+    def propose(self, moment: Moment[StateT, ActionT]) -> ProposalT:
+        self._encode(moment)
+        return self.answer(self._inputs)
+
+    def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
+        if lesson.moment.number != self._number:
+            self._encode(lesson.moment)
+        self.learn(self._inputs, self.codec.encode(lesson.target))
+
+    def state_dict(self) -> Learned:
+        return {**super().state_dict(), **self.learned()}
+
+    def load_state_dict(self, state: Learned) -> None:
+        parts = dict(self.parts())
+        self.restore({name: value for name, value in state.items() if name not in parts})
+        super().load_state_dict({name: value for name, value in state.items() if name in parts})
+
+    def _encode(self, moment: Moment[StateT, ActionT]) -> None:
+        inputs = self.encoder.encode(moment)
+        if inputs.shape != self._inputs.shape:
+            raise ContractError(
+                f"encoder '{self.encoder.name}' returned the shape {inputs.shape}; its width says {self._inputs.shape}."
+            )
+        if not np.isfinite(inputs).all():
+            raise ValueError(f"encoder '{self.encoder.name}' returned a number that is not finite: {inputs}.")
+        np.copyto(self._inputs, inputs)
+        self._number = moment.number
+
+
+_UNTAUGHT = {
+    KindProposal: KindProposal(kind=None, level=0, ampbit=True),
+    LevelProposal: LevelProposal(level=0, ampbit=True),
+}
+
+
+def untaught(codec: Codec[ProposalT]) -> ProposalT:
+    """Return what a student proposes before it was taught anything: no kind, level 0, ampbit 1.
+
+    It leaves the tutor's action to the amplifier, as a student with another kind would (Thesis 3.3.3). Choice, see
+    docs/fidelity.md.
+
+    Raises:
+        PipelineError: The codec's proposals are of a type that is not known here.
+    """
+    if codec.proposal not in _UNTAUGHT:
+        known = listing(proposal.__name__ for proposal in _UNTAUGHT)
+        raise PipelineError(f"codec '{codec.name}' proposes {codec.proposal.__name__}; this student can say {known}.")
+    return cast(ProposalT, _UNTAUGHT[codec.proposal])

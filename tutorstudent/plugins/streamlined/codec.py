@@ -1,0 +1,34 @@
+"""The codec of the streamlined algorithm: level and ampbit, no kind (Thesis 5.2.1)."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import numpy as np
+
+from tutorstudent.core.leaves import Codec, Vector
+from tutorstudent.core.proposals import LevelProposal
+from tutorstudent.core.records import GradedAction
+from tutorstudent.plugins.levels import GradeCode, GradeOptions, finite_values
+
+
+class LevelAmpbit(Codec[LevelProposal]):
+    """The level, then the ampbit: 3 + 1 outputs. What a lesson says of the kind is not learned."""
+
+    name = "level-ampbit"
+    proposal: ClassVar[type[Any]] = LevelProposal
+    Options = GradeOptions
+
+    def setup(self) -> None:
+        self._grade = GradeCode(self.options)
+
+    @property
+    def width(self) -> int:
+        return self._grade.width
+
+    def encode(self, target: GradedAction[Any]) -> Vector:
+        return np.array(self._grade.encode(target))
+
+    def decode(self, outputs: Vector) -> LevelProposal:
+        level, ampbit = self._grade.decode(finite_values(outputs, self.width))
+        return LevelProposal(level=level, ampbit=ampbit)

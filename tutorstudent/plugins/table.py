@@ -1,0 +1,59 @@
+"""A student that remembers: the last lesson for every encoding that it has seen."""
+
+from __future__ import annotations
+
+from typing import Generic
+
+import numpy as np
+
+from tutorstudent.core.actions import ActionT
+from tutorstudent.core.component import Component, Learned
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.leaves import Vector
+from tutorstudent.core.proposals import ProposalT
+from tutorstudent.core.records import StateT
+from tutorstudent.plugins.coded_student import CodedStudent, untaught
+from tutorstudent.plugins.learned import take_arrays
+
+
+class TableStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, ActionT, ProposalT]):
+    """Answer with the last lesson for exactly these inputs, or as one that was taught nothing (see `untaught`).
+
+    It never generalizes and never forgets: one row for each encoding that a lesson was about, so give it an encoder
+    with few of them. "Any type of function approximator" will do (Thesis 3.2.2.2); this one is the plainest.
+    """
+
+    name = "table"
+
+    def setup(self) -> None:
+        super().setup()
+        self._untaught = untaught(self.codec)
+        self._outputs: dict[bytes, Vector] = {}
+
+    def answer(self, inputs: Vector) -> ProposalT:
+        outputs = self._outputs.get(_key(inputs))
+        return self._untaught if outputs is None else self.codec.decode(outputs)
+
+    def learn(self, inputs: Vector, targets: Vector) -> None:
+        self._outputs[_key(inputs)] = targets.copy()
+
+    def learned(self) -> Learned:
+        inputs = np.frombuffer(b"".join(self._outputs), dtype=np.float64).reshape(-1, self.encoder.width)
+        outputs = np.array(list(self._outputs.values())).reshape(-1, self.codec.width)
+        return {"inputs": inputs.copy(), "outputs": outputs}
+
+    def restore(self, learned: Learned) -> None:
+        owner = f"student '{self.name}'"
+        first = take_arrays(owner, learned, {"inputs": (None, self.encoder.width), "outputs": (None, self.codec.width)})
+        take_arrays(owner, {"outputs": first["outputs"]}, {"outputs": (len(first["inputs"]), self.codec.width)})
+        self._outputs = {_key(row): outputs for row, outputs in zip(first["inputs"], first["outputs"], strict=True)}
+
+
+def _key(inputs: Vector) -> bytes:
+    return (inputs + 0.0).tobytes()  # so that -0.0 and 0.0 are one
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    """Return the table."""
+    return [TableStudent]
