@@ -13,7 +13,7 @@ from tutorstudent.core.component import Field, Learned, Part
 from tutorstudent.core.errors import ContractError, PipelineError, listing
 from tutorstudent.core.interfaces import Student
 from tutorstudent.core.leaves import Codec, Encoder, Vector
-from tutorstudent.core.proposals import KindProposal, LevelProposal, ProposalT
+from tutorstudent.core.proposals import KindProposal, LevelProposal, Proposal, ProposalT
 from tutorstudent.core.records import Lesson, Moment, StateT
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 
@@ -80,7 +80,7 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
     def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
         if lesson.moment.number != self._number:
             self._encode(lesson.moment)
-        self.learn(self._inputs, self.codec.encode(lesson.target))
+        self.learn(self._inputs, _checked(self.codec, self.codec.encode(lesson.target), self.codec.width))
 
     def state_dict(self) -> Learned:
         return {**super().state_dict(), **self.learned()}
@@ -91,18 +91,20 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
         super().load_state_dict({name: value for name, value in state.items() if name in parts})
 
     def _encode(self, moment: Moment[StateT, ActionT]) -> None:
-        inputs = self.encoder.encode(moment)
-        if inputs.shape != self._inputs.shape:
-            raise ContractError(
-                f"encoder '{self.encoder.name}' returned the shape {inputs.shape}; its width says {self._inputs.shape}."
-            )
-        if not np.isfinite(inputs).all():
-            raise ValueError(f"encoder '{self.encoder.name}' returned a number that is not finite: {inputs}.")
-        np.copyto(self._inputs, inputs)
+        np.copyto(self._inputs, _checked(self.encoder, self.encoder.encode(moment), self.encoder.width))
         self._number = moment.number
 
 
-_UNTAUGHT = {
+def _checked(part: Encoder[Any, Any] | Codec[Any], numbers: Vector, width: int) -> Vector:
+    # One NaN that reaches a network's weights stays there, and one number is broadcast to all.
+    if numbers.shape != (width,):
+        raise ContractError(f"{part.role} '{part.name}' returned the shape {numbers.shape}; its width says ({width},).")
+    if not np.isfinite(numbers).all():
+        raise ContractError(f"{part.role} '{part.name}' returned numbers that are not finite: {numbers}.")
+    return numbers
+
+
+_UNTAUGHT: dict[type[Any], Proposal] = {
     KindProposal: KindProposal(kind=None, level=0, ampbit=True),
     LevelProposal: LevelProposal(level=0, ampbit=True),
 }

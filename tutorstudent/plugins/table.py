@@ -8,6 +8,7 @@ import numpy as np
 
 from tutorstudent.core.actions import ActionT
 from tutorstudent.core.component import Component, Learned
+from tutorstudent.core.errors import ContractError
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.leaves import Vector
 from tutorstudent.core.proposals import ProposalT
@@ -38,15 +39,18 @@ class TableStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, Act
         self._outputs[_key(inputs)] = targets.copy()
 
     def learned(self) -> Learned:
-        inputs = np.frombuffer(b"".join(self._outputs), dtype=np.float64).reshape(-1, self.encoder.width)
-        outputs = np.array(list(self._outputs.values())).reshape(-1, self.codec.width)
+        rows = len(self._outputs)
+        inputs = np.frombuffer(b"".join(self._outputs), dtype=np.float64).reshape(rows, self.encoder.width)
+        outputs = np.array(list(self._outputs.values())).reshape(rows, self.codec.width)
         return {"inputs": inputs.copy(), "outputs": outputs}
 
     def restore(self, learned: Learned) -> None:
         owner = f"student '{self.name}'"
-        first = take_arrays(owner, learned, {"inputs": (None, self.encoder.width), "outputs": (None, self.codec.width)})
-        take_arrays(owner, {"outputs": first["outputs"]}, {"outputs": (len(first["inputs"]), self.codec.width)})
-        self._outputs = {_key(row): outputs for row, outputs in zip(first["inputs"], first["outputs"], strict=True)}
+        taken = take_arrays(owner, learned, {"inputs": (None, self.encoder.width), "outputs": (None, self.codec.width)})
+        inputs, outputs = taken["inputs"], taken["outputs"]
+        if len(inputs) != len(outputs):
+            raise ContractError(f"{owner} cannot load {len(inputs)} inputs with {len(outputs)} outputs.")
+        self._outputs = {_key(row): answer for row, answer in zip(inputs, outputs, strict=True)}
 
 
 def _key(inputs: Vector) -> bytes:

@@ -17,7 +17,7 @@ Matrix = NDArray[np.float64]
 # Zero-dimensional arrays: a ufunc takes them in two thirds of the time that it needs for a Python float.
 _HALF = np.array(0.5)
 _ONE = np.array(1.0)
-_FLUSH = np.array(1e-290)
+_COARSE = np.array(1e-290)
 
 
 class Network:
@@ -85,9 +85,9 @@ class Network:
             self._propagate()
             self._find_errors(targets)
             self._change_weights()
-        # Changes that momentum lets fade end as denormal numbers, which are slow; this rounds them to zero.
-        np.add(self._changes, _FLUSH, self._changes)
-        np.subtract(self._changes, _FLUSH, self._changes)
+        # Changes that fade would end as denormal numbers, ten times slower; this rounds them to a step far above those.
+        np.add(self._changes, _COARSE, self._changes)
+        np.subtract(self._changes, _COARSE, self._changes)
 
     def _allocate(self) -> None:
         inputs, hidden, outputs = self.sizes
