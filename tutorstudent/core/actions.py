@@ -108,13 +108,14 @@ class Action(BaseModel):
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
         super().__pydantic_init_subclass__(**kwargs)
-        cls.vocabulary = _vocabulary(cls)
+        cls.vocabulary = vocabulary_of(cls)
 
 
 ActionT = TypeVar("ActionT", bound=Action)
 
 
-def _vocabulary(cls: type[Action]) -> Vocabulary:
+def vocabulary_of(cls: type[Action]) -> Vocabulary:
+    """Return what an action class says it can say; raises ContractError where that makes no sense."""
     kinds = _kinds(cls)
     specs = {name: _spec(name, info) for name, info in cls.model_fields.items() if name != "kind"}
     unknown = [kind for kind in cls.amplification if kind not in kinds]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core import component
+from tutorstudent.core.component import Component, Field, Part
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import Amplifier
 from tutorstudent.core.leaves import Change
@@ -16,7 +17,7 @@ class Never(Amplifier[ActionT]):
 
     name = "never"
 
-    class Options(Options):
+    class Options(component.Options):
         """How far a level moves a component."""
 
         amount: float = Field(default=0.1, gt=0, description="amplification per level, in units of the scale (Table 1)")

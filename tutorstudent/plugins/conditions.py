@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core import component
+from tutorstudent.core.component import Component, Field, Part
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.leaves import Condition, condition
 from tutorstudent.core.records import StateT
@@ -23,7 +24,7 @@ class Near(Condition[PioneerState]):
 
     name = "near"
 
-    class Options(Options):
+    class Options(component.Options):
         """How near is too near."""
 
         clearance_m: float = Field(default=0.15, ge=0, description="smallest allowed sonar reading, metres")
@@ -39,7 +40,7 @@ class Near(Condition[PioneerState]):
 class _Composed(Condition[StateT]):
     """Several conditions taken as one."""
 
-    class Options(Options):
+    class Options(component.Options):
         """Which conditions."""
 
         of: list[Part[Condition[Any]]] = Field(min_length=1, description="the conditions to combine")
@@ -83,7 +84,7 @@ class Not(Condition[StateT]):
 
     name = "not"
 
-    class Options(Options):
+    class Options(component.Options):
         """Which condition."""
 
         of: Part[Condition[Any]] = Field(description="the condition to turn round")

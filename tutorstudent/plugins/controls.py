@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core import component
+from tutorstudent.core.component import Component, Field, Part
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import Evaluator, Student
 from tutorstudent.core.judging import NO_MARGINS
@@ -47,7 +48,7 @@ class Constant(Unteachable[StateT, ActionT]):
 
     name = "constant"
 
-    class Options(Options):
+    class Options(component.Options):
         """Which level."""
 
         level: int = Field(default=4, ge=0, description="the level, the same in every decision")
@@ -64,7 +65,7 @@ class Random(Unteachable[StateT, ActionT]):
 
     name = "random"
 
-    class Options(Options):
+    class Options(component.Options):
         """From which levels."""
 
         max_level: int = Field(default=8, ge=0, description="highest level; all from 0 on are equally likely")
@@ -78,7 +79,7 @@ class Ramp(Unteachable[StateT, ActionT]):
 
     name = "ramp"
 
-    class Options(Options):
+    class Options(component.Options):
         """What has to stay the same, and where the ramp ends."""
 
         encoder: Part[Encoder[Any, Any]] | None = Field(default=None, description="inputs; none: the kind only")
@@ -107,7 +108,7 @@ class Blind(Evaluator[StateT, ActionT]):
 
     name = "blind"
 
-    class Options(Options):
+    class Options(component.Options):
         """Whose eyes are closed."""
 
         evaluator: Part[Evaluator[Any, Any]] = Field(default_factory=Conditions, description="the evaluator to blind")

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from tutorstudent.core.component import Component
 from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.plugins.prototype2.attractors import Attractors
 from tutorstudent.plugins.prototype2.encoders import Bits, SituationBits, Thermometer
 from tutorstudent.plugins.prototype2.tutor import Prototype2
 
 
 @hookimpl
 def tutorstudent_components() -> list[type[Component]]:
-    return [Prototype2, Bits, SituationBits, Thermometer]
+    """Return the tutor, its encoders and the observer that counts attractors."""
+    return [Prototype2, Bits, SituationBits, Thermometer, Attractors]
 
 
-__all__ = ["Bits", "Prototype2", "SituationBits", "Thermometer"]
+__all__ = ["Attractors", "Bits", "Prototype2", "SituationBits", "Thermometer"]

@@ -1,0 +1,183 @@
+"""A pipeline: one YAML file that says which parts make an engine, and in which world it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, ValidationError
+
+from tutorstudent.core.adapters import as_tutor
+from tutorstudent.core.assembly import Assembler
+from tutorstudent.core.component import Binding, Options, option_problems
+from tutorstudent.core.engine import Engine
+from tutorstudent.core.errors import ContractError, PipelineError
+from tutorstudent.core.guard import OnIncident
+from tutorstudent.core.interfaces import Tutor
+from tutorstudent.core.limits import Limits
+from tutorstudent.core.observers import Observer
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.world import World
+from tutorstudent.core.yamlfile import Document, Location, read_yaml
+
+SLOTS = {
+    "tutor": "tutor",
+    "student": "student",
+    "selector": "selector",
+    "amplifier": "amplifier",
+    "evaluator": "evaluator",
+}
+DEFAULTS: dict[str, Any] = {
+    "selector": "same-kind",
+    "amplifier": "learning-phase",
+    "evaluator": "conditions",
+    "conditions": [],
+    "observers": [],
+    "limits": {},
+    "on_tutor_failure": "raise",
+}
+PLAIN = ("seed", "decisions", "on_incident")
+KEYS = [*PLAIN, *SLOTS, "world", "conditions", "limits", "observers", "on_tutor_failure"]
+
+
+class Header(Options):
+    """The plain values of a pipeline."""
+
+    seed: int = Field(0, ge=0, description="the one seed from which every random stream is derived")
+    decisions: int = Field(10_000, ge=1, description="how many decisions a run takes")
+    on_incident: OnIncident = Field("continue", description="what to do when a part breaks its contract")
+
+
+class Pipeline:
+    """The parts of an engine as plain values, with the places where they stand in their file."""
+
+    def __init__(self, document: Document, registry: Registry | None = None) -> None:
+        if not isinstance(document.data, dict):
+            raise PipelineError(f"{document.name}: a pipeline is a mapping with the keys {', '.join(KEYS)}.")
+        self.document = document
+        self.registry = registry or Registry.discover()
+        self._assembler = Assembler(document, self.registry)
+        self._assembler.check_keys(document.data, KEYS, ())
+        plain = {key: document.data[key] for key in PLAIN if key in document.data}
+        self.header = self._assembler.model(Header, plain, (), "pipeline")
+
+    @classmethod
+    def read(cls, path: Path | str, registry: Registry | None = None) -> Pipeline:
+        """Return the pipeline of a YAML file."""
+        return cls(read_yaml(Path(path)), registry)
+
+    def replaced(self, values: Mapping[str, Any]) -> Pipeline:
+        """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``."""
+        data = dict(self.document.data)
+        for dotted, value in values.items():
+            _set(data, tuple(dotted.split(".")), value)
+        return Pipeline(self.document._replace(data=data), self.registry)
+
+    def engine(self, **given: Any) -> Engine[Any, Any, Any]:
+        """Build the engine. Parts that are given by slot take the place of the file's.
+
+        Raises:
+            PipelineError: if the file says something that cannot be built.
+        """
+        parts = {slot: given.get(slot) or self._part(role, slot) for slot, role in SLOTS.items()}
+        conditions = given.get("conditions") or self._assembler.parts(
+            "condition", self._value("conditions"), ("conditions",)
+        )
+        limits = self._assembler.model(Limits, self._mapping("limits"), ("limits",), "limits")
+        try:
+            return Engine(
+                **parts,
+                conditions=conditions,
+                limits=limits,
+                seed=self.header.seed,
+                on_incident=self.header.on_incident,
+                on_tutor_failure=self._failure_action(parts["tutor"]),
+            )
+        except ContractError as error:
+            raise PipelineError(f"{self.document.name}: {error}") from None
+
+    def world(self, action: type[Any]) -> World[Any, Any]:
+        """Build the world that the file names, bound for the actions of the engine."""
+        if "world" not in self.document.data:
+            raise PipelineError(
+                f"{self.document.name}: there is no 'world'; add one, as in 'world: {{use: pioneer, scene: cave-box}}'."
+            )
+        world: World[Any, Any] = self._assembler.part("world", self.document.data["world"], ("world",))
+        world.bind(Binding(self.header.seed, "world", action))
+        return world
+
+    def observers(self, action: type[Any]) -> list[Observer]:
+        """Build the observers that the file names."""
+        found: list[Observer] = self._assembler.parts("observer", self._value("observers"), ("observers",))
+        for i, observer in enumerate(found):
+            observer.bind(Binding(self.header.seed, f"observers.{i}", action))
+        return found
+
+    def _part(self, role: str, slot: str) -> Any:
+        value = self._value(slot)
+        if value is None:
+            raise PipelineError(f"{self.document.name}: there is no '{slot}'; name one, as in '{slot}: {{use: ...}}'.")
+        return self._assembler.part(role, value, (slot,))
+
+    def _value(self, key: str) -> Any:
+        return self.document.data.get(key, DEFAULTS.get(key))
+
+    def _mapping(self, key: str) -> dict[str, Any]:
+        value = self._value(key)
+        if not isinstance(value, dict):
+            raise self._assembler.error((key,), f"found {value!r}; write a mapping, as in {key}: {{cap: 0.8}}.")
+        return value
+
+    def _failure_action(self, tutor: Tutor[Any, Any]) -> Any:
+        if self._value("on_tutor_failure") == "raise":
+            return None
+        at: Location = ("on_tutor_failure",)
+        values = self._mapping("on_tutor_failure")
+        try:
+            return tutor.action(**values)
+        except ValidationError as error:
+            location, problem = option_problems(tutor.action, error)[0]
+            raise self._assembler.error(
+                (*at, *location), f"not a {tutor.action.__name__}: {problem} Write 'raise' or an action."
+            ) from None
+
+
+def _set(data: dict[str, Any], keys: tuple[str, ...], value: Any) -> None:
+    for key in keys[:-1]:
+        below = data.get(key, {})
+        below = {"use": below} if isinstance(below, str) else dict(below)
+        data[key], data = below, below
+    data[keys[-1]] = value
+
+
+def describe(engine: Engine[Any, Any, Any], world: World[Any, Any] | None, header: Header) -> dict[str, Any]:
+    """Return a pipeline with every option written out, defaults included; it can be read again."""
+    slots = {slot: getattr(engine, slot).describe() for slot in SLOTS}
+    failure = engine.on_tutor_failure
+    return (
+        header.model_dump()
+        | ({} if world is None else {"world": world.describe()})
+        | slots
+        | {
+            "conditions": [condition.describe() for condition in engine.conditions],
+            "limits": engine.limits.model_dump(),
+            "on_tutor_failure": "raise" if failure is None else failure.model_dump(),
+        }
+    )
+
+
+def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: Any) -> Engine[Any, Any, Any]:
+    """Return the engine of a pipeline file, for somebody's own loop.
+
+    Args:
+        path: The YAML file.
+        tutor: Takes the place of the file's tutor: a `Tutor`, or any callable of the state together with `action`.
+        action: The action class of a callable tutor.
+        parts: Other parts by slot, for example ``student=...``.
+
+    Raises:
+        TutorStudentError: if it cannot be built; the message says where and what to do.
+    """
+    given = parts if tutor is None else parts | {"tutor": as_tutor(tutor, action)}
+    return Pipeline.read(path).engine(**given)

@@ -1,0 +1,13 @@
+"""Attractors found: the tutor's event, counted from what the tutor says it is in (Thesis 4.2)."""
+
+from __future__ import annotations
+
+from tutorstudent.core.observers import Entries
+
+
+class Attractors(Entries):
+    """Counts entries into Prey Spin: the robot got so close to a prey that it turns away (Thesis 3.3.1)."""
+
+    name = "attractors"
+    situation = "Prey Spin"
+    counted = "attractors"

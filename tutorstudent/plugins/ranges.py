@@ -1,0 +1,71 @@
+"""An encoder for states that are plain numbers of known ranges."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tutorstudent.core import component
+from tutorstudent.core.component import Component, Field
+from tutorstudent.core.errors import ContractError
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.leaves import Encoder, Vector
+from tutorstudent.core.records import Moment
+
+
+class Ranges(Encoder[Any, Any]):
+    """Thermometer codes of the tutor's components and of the state's numbers, `steps` bits each.
+
+    A component ranges over its bounds, or one scale either side of neutral where it has none. The state's numbers are
+    coded where ranges are declared for them; without ranges the state is not looked at.
+    """
+
+    name = "ranges"
+
+    class Options(component.Options):
+        """The ranges of the state's numbers."""
+
+        ranges: list[tuple[float, float]] = Field(
+            default=[], description="low and high of each number of the state, in the state's own units"
+        )
+        steps: int = Field(default=8, ge=1, description="bits for each number")
+
+    def setup(self) -> None:
+        components = self.action_class.vocabulary.components.values()
+        bounds = [
+            (low if math.isfinite(low) else neutral - scale, high if math.isfinite(high) else neutral + scale)
+            for _, low, high, scale, neutral, _ in components
+            if math.isfinite(scale)
+        ]
+        self._components = [spec.name for spec in components if math.isfinite(spec.scale)]
+        bounds += self.options.ranges
+        if any(not low < high for low, high in bounds):
+            raise ContractError("encoder 'ranges': every range is a low and a high number, low below high.")
+        low, high = np.array(bounds).T
+        steps = self.options.steps
+        fractions = (np.arange(steps) + 1) / (steps + 1)
+        self._thresholds = low[:, None] + (high - low)[:, None] * fractions
+
+    @property
+    def width(self) -> int:
+        return int(self._thresholds.size)
+
+    def encode(self, moment: Moment[Any, Any]) -> Vector:
+        numbers = [getattr(moment.tutor_action, name) for name in self._components]
+        if self.options.ranges:
+            numbers.extend(np.asarray(moment.state, dtype=np.float64).ravel().tolist())
+        if len(numbers) != len(self._thresholds):
+            raise ValueError(
+                f"the state has {len(numbers) - len(self._components)} numbers; "
+                f"{len(self.options.ranges)} ranges are declared."
+            )
+        bits: Vector = (np.array(numbers)[:, None] > self._thresholds).ravel().astype(np.float64)
+        return bits
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    """Return the encoder."""
+    return [Ranges]

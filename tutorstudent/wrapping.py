@@ -1,0 +1,67 @@
+"""`wrap`: a learner round a controller that works, in one line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from tutorstudent.core.actions import Action
+from tutorstudent.core.adapters import Loop, as_tutor
+from tutorstudent.core.leaves import Condition, condition
+from tutorstudent.core.pipeline import Pipeline
+from tutorstudent.core.yamlfile import Document
+
+Predicate = Callable[[Any], bool]
+
+
+def wrap(
+    controller: Any,
+    *,
+    action: type[Action] | None = None,
+    condition: Predicate | Condition[Any] | None = None,
+    conditions: Sequence[Predicate | Condition[Any]] = (),
+    ranges: Sequence[tuple[float, float]] = (),
+    factor: float | None = 1.3,
+    slew: int | None = 1,
+    seed: int = 0,
+    **slots: Any,
+) -> Loop:
+    """Return a loop round an existing controller: call its ``step(state)`` where the controller was called.
+
+    Args:
+        controller: A callable of the state, or a `Tutor`.
+        action: What the controller returns, as in ``scalar(-1, 1)``; a `Tutor` brings its own.
+        condition: Operational condition: true means violated.
+        conditions: Several of them.
+        ranges: Low and high of each number of the state, for what the student sees. Without them it sees the
+            controller's own command only.
+        factor: Largest ratio of the executed to the controller's own magnitude.
+        slew: Largest change of the amplification level from one decision to the next.
+        seed: The one seed.
+        slots: Other slots of a pipeline, as plain values: ``student={"use": "backprop", ...}``.
+
+    Raises:
+        TutorStudentError: if the parts do not fit; the message says what to do.
+    """
+    found = [condition, *conditions] if condition is not None else list(conditions)
+    data: dict[str, Any] = {
+        "seed": seed,
+        "student": {
+            "use": "table",
+            "encoder": {"use": "ranges", "ranges": [list(pair) for pair in ranges]},
+            "codec": "level-ampbit",
+        },
+        "selector": "modifier",
+        "amplifier": {"use": "learning-phase", "decisions": 0, "change": "multiplicative"},
+        "limits": {"factor": factor, "slew": slew},
+    }
+    pipeline = Pipeline(Document("wrap()", data | slots, {}))
+    engine = pipeline.engine(tutor=as_tutor(controller, action), conditions=_named(found))
+    return Loop(engine)
+
+
+def _named(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
+    return [
+        item if isinstance(item, Condition) else condition(f"condition-{number}")(item)()
+        for number, item in enumerate(conditions, start=1)
+    ]
