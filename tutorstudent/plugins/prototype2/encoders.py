@@ -49,12 +49,10 @@ class BitEncoder(Encoder[PioneerState, DriveAction]):
         """Return the bits of a moment whose state looks like `seen`, in the order of `names`."""
 
     def prey(self, seen: Percept) -> Code:
-        """Return the bits of `PREY_NAMES`: one of three directions, and whether it is near."""
-        if not seen.prey_seen:
-            return False, False, False, False
-        centre = self.options.centre_rad
-        left, right = seen.prey_rad > centre, seen.prey_rad < -centre
-        return left, not (left or right), right, seen.prey_m < self.options.prey_m
+        """Return the bits of `PREY_NAMES`: one of three directions where any is seen, and whether it is near."""
+        limits = self.options
+        left, right = seen.prey_rad > limits.centre_rad, seen.prey_rad < -limits.centre_rad
+        return left, seen.prey_seen and not (left or right), right, seen.prey_m < limits.prey_m
 
     def predator(self, seen: Percept) -> Code:
         """Return the bits of `PREDATOR_NAMES`."""

@@ -44,10 +44,10 @@ class View:
         return not self.seen.prey_seen and not self.obstacle_ahead()
 
     def prey_left(self) -> bool:
-        return self.seen.prey_seen and self.seen.prey_rad > self.tuning.seek_tolerance_rad
+        return self.seen.prey_rad > self.tuning.seek_tolerance_rad
 
     def prey_right(self) -> bool:
-        return self.seen.prey_seen and self.seen.prey_rad < -self.tuning.seek_tolerance_rad
+        return self.seen.prey_rad < -self.tuning.seek_tolerance_rad
 
     def prey_ahead(self) -> bool:
         """Any prey in view; the rule stands after those for left and right."""
