@@ -1,0 +1,13 @@
+"""The Pioneer world: a simulated Pioneer 2 DX among walls, prey and predators (Thesis 4.1)."""
+
+from __future__ import annotations
+
+from tutorstudent.core.component import Component
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.sims.pioneer.world import PioneerWorld
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    """Provide the world."""
+    return [PioneerWorld]

@@ -1,0 +1,133 @@
+"""All that this world asks of pybullet; the only file that imports it.
+
+Every call goes through one object with pybullet's functions, handed in by whoever opens a `Bullet`. A benchmark hands
+in a `CallLog` of it, and replays the bare calls later.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.sims.pioneer.body import CENTRE_M, HEIGHT_M, LENGTH_M, WIDTH_M, Pose
+from tutorstudent.sims.pioneer.mesh import Vertex
+
+CLEARANCE_M = 0.002
+"""Two bodies nearer than this touch."""
+RAY, WALL, SHAPE, PHYSICAL, FLOOR, WHEEL = 1, 64, 128, 256, 512, 1024
+"""Collision groups. Rays see walls and shapes; physical bodies meet walls and each other; wheels roll on the floor."""
+
+Rgba = tuple[float, float, float, float]
+Points = Any
+"""Ray ends: a sequence of (x, y, z) or an array of shape (n, 3); pybullet takes either."""
+FAILED = -1
+
+
+def load_pybullet() -> Any:
+    """Return the pybullet module; PipelineError with the remedy where it is not installed."""
+    try:
+        return importlib.import_module("pybullet")
+    except ImportError:
+        raise PipelineError(
+            "world 'pioneer' needs pybullet; install it with: pip install 'tutorstudent[bullet]'"
+        ) from None
+
+
+class Bullet:
+    """One physics client with the scene's bodies in it.
+
+    Args:
+        api: The pybullet module, or something that stands in for it.
+        gui: Open a window. Without it nothing is drawn.
+    """
+
+    def __init__(self, api: Any, gui: bool = False) -> None:
+        self._client = api.connect(api.GUI if gui else api.DIRECT)
+        if self._client == FAILED:
+            raise PipelineError("pybullet could not open its window (option 'gui'); run with gui: false.")
+        self.api = api
+        self._cast = api.rayTestBatch
+        self._set_pose = api.resetBasePositionAndOrientation
+        self._closest = api.getClosestPoints
+
+    def clear(self) -> None:
+        """Remove every body."""
+        self.api.resetSimulation(physicsClientId=self._client)
+
+    def close(self) -> None:
+        """Let the client go; does nothing the second time."""
+        if self._client != FAILED:
+            self.api.disconnect(physicsClientId=self._client)
+            self._client = FAILED
+
+    def add_walls(self, vertices: Sequence[Vertex], indices: Sequence[int]) -> int:
+        """Add the walls and everything else that never moves as one concave mesh; return its body."""
+        shape = self.api.createCollisionShape(
+            self.api.GEOM_MESH, vertices=vertices, indices=indices, physicsClientId=self._client
+        )
+        return self._static(shape, FAILED, WALL, RAY | PHYSICAL, (0.0, 0.0, 0.0))
+
+    def add_robot_shape(self, colour: Rgba) -> int:
+        """Add a Pioneer that rays meet and nothing pushes; its origin is the rotation centre. Return its body."""
+        size = [LENGTH_M / 2, WIDTH_M / 2, HEIGHT_M / 2]
+        middle = [CENTRE_M, 0.0, HEIGHT_M / 2]
+        shape = self.api.createCollisionShape(
+            self.api.GEOM_BOX, halfExtents=size, collisionFramePosition=middle, physicsClientId=self._client
+        )
+        looks = self.api.createVisualShape(
+            self.api.GEOM_BOX,
+            halfExtents=size,
+            visualFramePosition=middle,
+            rgbaColor=colour,
+            physicsClientId=self._client,
+        )
+        return self._static(shape, looks, SHAPE, RAY, (0.0, 0.0, 0.0))
+
+    def add_picture(self, size_m: tuple[float, float, float], pose: Pose, colour: Rgba) -> None:
+        """Add a coloured cuboid on the floor that is only seen, never met."""
+        looks = self.api.createVisualShape(
+            self.api.GEOM_BOX, halfExtents=[side / 2 for side in size_m], rgbaColor=colour, physicsClientId=self._client
+        )
+        self.place(self._static(FAILED, looks, 0, 0, (0.0, 0.0, 0.0)), pose, size_m[2] / 2)
+
+    def place(self, body: int, pose: Pose, height_m: float = 0.0) -> None:
+        """Put a body's origin at a pose, upright and at rest."""
+        x, y, heading = pose
+        half = 0.5 * heading
+        turn = (0.0, 0.0, math.sin(half), math.cos(half))
+        self._set_pose(body, (x, y, height_m), turn, physicsClientId=self._client)
+
+    def touch(self, body: int, other: int) -> bool:
+        """Return whether two bodies are nearer than `CLEARANCE_M`."""
+        return bool(self._closest(body, other, CLEARANCE_M, physicsClientId=self._client))
+
+    def cast(self, starts: Points, ends: Points) -> list[float]:
+        """Return the travelled fraction of each ray, 1 where it met nothing."""
+        hits = self._cast(starts, ends, numThreads=1, physicsClientId=self._client)
+        return [hit[2] for hit in hits]
+
+    def call(self, function: str, *args: Any, **kwargs: Any) -> Any:
+        """Call any other function of pybullet on this client."""
+        return getattr(self.api, function)(*args, physicsClientId=self._client, **kwargs)
+
+    def load_urdf(self, path: Path, pose: Pose) -> int:
+        """Load a URDF with its inertia as written; return its body."""
+        turn = self.api.getQuaternionFromEuler([0.0, 0.0, pose.heading_rad])
+        where = [pose.x_m, pose.y_m, 0.0]
+        flags = self.api.URDF_USE_INERTIA_FROM_FILE
+        return int(self.call("loadURDF", str(path), basePosition=where, baseOrientation=turn, flags=flags))
+
+    def _static(self, shape: int, looks: int, group: int, mask: int, where: tuple[float, float, float]) -> int:
+        body = self.api.createMultiBody(
+            0,
+            baseCollisionShapeIndex=shape,
+            baseVisualShapeIndex=looks,
+            basePosition=where,
+            physicsClientId=self._client,
+        )
+        self.api.setCollisionFilterGroupMask(body, -1, group, mask, physicsClientId=self._client)
+        return int(body)

@@ -1,0 +1,137 @@
+"""What really happened in a decision: ground truth that the state does not show."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from tutorstudent.core.world import Summary
+from tutorstudent.sims.pioneer.body import Pose, Rectangle
+from tutorstudent.sims.pioneer.motion import FREE, Command
+
+EVENTS: Mapping[str, Summary] = {
+    "stalled_ticks": "sum",
+    "collided": "sum",
+    "contacts": "sum",
+    "contact_speed_mps": "max",
+    "hit_by_others": "sum",
+    "encounters": "sum",
+    "distance_m": "sum",
+    "time_s": "sum",
+    "x_m": "last",
+    "y_m": "last",
+    "heading_rad": "last",
+}
+"""Stalled: the learner's own motion was refused. A contact is a stalled tick after a free one; ``hit_by_others`` counts
+the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled."""
+
+
+class Tally:
+    """Counts the events of one robot, tick by tick, and hands them out by decision.
+
+    Args:
+        learner: Index of the robot.
+        pose: Its start pose.
+        tick_s: Length of a tick.
+        encounters: Counts the encounters.
+    """
+
+    def __init__(self, learner: int, pose: Pose, tick_s: float, encounters: Encounters) -> None:
+        self._learner = learner
+        self._pose = pose
+        self._tick_s = tick_s
+        self._encounters = encounters
+        self._was_stalled = False
+        self._hitting: frozenset[int] = frozenset()
+        self._contact_speed_mps = self._distance_m = 0.0
+        self._stalled = self._contacts = self._hits = self._encountered = self._ticks = 0
+
+    def add(self, poses: Sequence[Pose], stopped: Sequence[int], command: Command, movers: Sequence[Rectangle]) -> None:
+        """Count one tick.
+
+        Args:
+            poses: Where the robots are after it.
+            stopped: What stopped each of them.
+            command: What the learner was told.
+            movers: Red bodies that move, where they are after it.
+        """
+        pose = poses[self._learner]
+        self._distance_m += math.hypot(pose.x_m - self._pose.x_m, pose.y_m - self._pose.y_m)
+        self._pose = pose
+        self._ticks += 1
+        self._encountered += self._encounters.count(pose, movers)
+        self._add_stall(stopped[self._learner] != FREE, abs(command[0]))
+        hitting = frozenset(i for i, by in enumerate(stopped) if by == self._learner)
+        self._hits += len(hitting - self._hitting)
+        self._hitting = hitting
+
+    def take(self) -> dict[str, float]:
+        """Return the events since the last time, by the names of `EVENTS`."""
+        events = {
+            "stalled_ticks": float(self._stalled),
+            "collided": float(self._stalled > 0),
+            "contacts": float(self._contacts),
+            "contact_speed_mps": self._contact_speed_mps,
+            "hit_by_others": float(self._hits),
+            "encounters": float(self._encountered),
+            "distance_m": self._distance_m,
+            "time_s": self._ticks * self._tick_s,
+            "x_m": self._pose.x_m,
+            "y_m": self._pose.y_m,
+            "heading_rad": self._pose.heading_rad,
+        }
+        self._clear()
+        return events
+
+    def _add_stall(self, stalled: bool, speed_mps: float) -> None:
+        if stalled:
+            self._stalled += 1
+            if not self._was_stalled:
+                self._contacts += 1
+                self._contact_speed_mps = max(self._contact_speed_mps, speed_mps)
+        self._was_stalled = stalled
+
+    def _clear(self) -> None:
+        self._stalled = self._contacts = self._hits = self._encountered = self._ticks = 0
+        self._distance_m = self._contact_speed_mps = 0.0
+
+
+class Encounters:
+    """Counts crossings of a radius round red things, with hysteresis.
+
+    Distances run from the robot's rotation centre to the thing's surface. A thing counts again once the robot was
+    farther away than the release radius.
+
+    Args:
+        boxes: Red things that never move.
+        movers: Number of red things that do.
+        radius_m: Nearer than this is an encounter.
+        release_m: Farther than this ends it; not less than `radius_m`.
+    """
+
+    def __init__(self, boxes: Sequence[Rectangle], movers: int, radius_m: float, release_m: float) -> None:
+        self._boxes = list(boxes)
+        self._radius_m = radius_m
+        self._release_m = release_m
+        self._inside = [False] * (len(boxes) + movers)
+
+    def begin(self, pose: Pose, movers: Sequence[Rectangle]) -> None:
+        """Start a trial: what is near already is no encounter."""
+        self.count(pose, movers)
+
+    def count(self, pose: Pose, movers: Sequence[Rectangle]) -> int:
+        """Return the number of things that the robot has come near to just now."""
+        inside = self._inside
+        entered = 0
+        for i, thing in enumerate((*self._boxes, *movers)):
+            reach = (self._release_m if inside[i] else self._radius_m) + thing.half_length_m + thing.half_width_m
+            if abs(thing.x_m - pose.x_m) > reach or abs(thing.y_m - pose.y_m) > reach:
+                inside[i] = False
+                continue
+            distance = thing.distance_m(pose.x_m, pose.y_m)
+            if inside[i]:
+                inside[i] = distance <= self._release_m
+            elif distance < self._radius_m:
+                inside[i] = True
+                entered += 1
+        return entered

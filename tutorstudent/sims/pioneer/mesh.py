@@ -1,0 +1,64 @@
+"""Walls as one mesh: vertical faces along closed outlines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from tutorstudent.core.world import Point
+
+Vertex = tuple[float, float, float]
+
+HEIGHT_M = 0.5
+"""Height of walls and boxes; everything that senses does so below it."""
+RING_M = 0.2
+"""Thickness of the wall round an arena."""
+CIRCLE_SIDES = 128
+
+
+def prisms(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int]]:
+    """Return vertices and triangle indices of upright faces along closed outlines, one quad for each side."""
+    vertices: list[Vertex] = []
+    indices: list[int] = []
+    for outline in outlines:
+        first, count = len(vertices), len(outline)
+        for x, y in outline:
+            vertices += [(x, y, 0.0), (x, y, HEIGHT_M)]
+        for side in range(count):
+            a, b = first + 2 * side, first + 2 * ((side + 1) % count)
+            indices += [a, b, b + 1, a, b + 1, a + 1]
+    return vertices, indices
+
+
+def circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:
+    """Return a regular polygon whose sides keep the circle's radius on average, counter-clockwise."""
+    step = math.tau / CIRCLE_SIDES
+    corner_m = radius_m * 2.0 / (1.0 + math.cos(step / 2))
+    angles = (i * step for i in range(CIRCLE_SIDES))
+    return [(x_m + corner_m * math.cos(angle), y_m + corner_m * math.sin(angle)) for angle in angles]
+
+
+def thickened(outline: Sequence[Point]) -> list[Point]:
+    """Return the outer outline of a wall that stands round `outline`, `RING_M` thick at its corners or more."""
+    turn = math.copysign(1.0, area(outline))
+    count = len(outline)
+    return [_outward(outline[i - 1], outline[i], outline[(i + 1) % count], turn) for i in range(count)]
+
+
+def area(outline: Sequence[Point]) -> float:
+    """Return the signed area of a closed outline: positive if it runs counter-clockwise.
+
+    >>> area([(0, 0), (2, 0), (2, 1), (0, 1)])
+    2.0
+    """
+    following = [*outline[1:], outline[0]]
+    return sum(x * v - u * y for (x, y), (u, v) in zip(outline, following, strict=True)) / 2
+
+
+def _outward(before: Point, here: Point, after: Point, turn: float) -> Point:
+    ahead = math.atan2(after[1] - here[1], after[0] - here[0])
+    behind = math.atan2(here[1] - before[1], here[0] - before[0])
+    half = math.remainder(ahead - behind, math.tau) / 2
+    distance = RING_M / max(math.cos(half), 0.1)
+    normal = behind + half - turn * math.pi / 2
+    return (here[0] + distance * math.cos(normal), here[1] + distance * math.sin(normal))

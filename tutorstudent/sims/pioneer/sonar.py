@@ -1,0 +1,113 @@
+"""The ring of 16 sonars: single rays of 5 m (Thesis 4.1; poses of Stage 1.3 and Pyro).
+
+A ray starts where it leaves the robot's own body, so that it never meets it, and the range is counted from the sonar.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tutorstudent.sims.pioneer.body import Pose, edge_m
+
+Floats = NDArray[np.float64]
+
+SONARS: tuple[tuple[float, float, float], ...] = (
+    (0.115, 0.130, 90.0),
+    (0.155, 0.115, 50.0),
+    (0.190, 0.080, 30.0),
+    (0.210, 0.025, 10.0),
+    (0.210, -0.025, -10.0),
+    (0.190, -0.080, -30.0),
+    (0.155, -0.115, -50.0),
+    (0.115, -0.130, -90.0),
+    (-0.115, -0.130, -90.0),
+    (-0.155, -0.115, -130.0),
+    (-0.190, -0.080, -150.0),
+    (-0.210, -0.025, -170.0),
+    (-0.210, 0.025, 170.0),
+    (-0.190, 0.080, 150.0),
+    (-0.155, 0.115, 130.0),
+    (-0.115, 0.130, 90.0),
+)
+"""x (m, forward), y (m, left), yaw (degrees, counter-clockwise) of each sonar."""
+
+SKIN_M = 0.001
+"""A ray starts this far outside the body; half of what a refused step keeps free."""
+HEIGHT_M = 0.1
+"""Height of the rays."""
+BLOCK = 256
+"""Reads for which noise is drawn at once."""
+
+
+class SonarRing:
+    """Rays and ranges of some of the sonars of robots that share one scene.
+
+    Args:
+        sonars: Which of the 16, in the order of the ranges.
+        range_m: Largest range.
+        robots: Number of robots that are sensed at once.
+    """
+
+    def __init__(self, sonars: Sequence[int], range_m: float, robots: int = 1) -> None:
+        poses = np.array([SONARS[i] for i in sonars])
+        yaw = np.deg2rad(poses[:, 2])
+        self._range_m = range_m
+        self._skip = np.array([_edge(*SONARS[i]) + SKIN_M for i in sonars])
+        self._span = range_m - self._skip
+        origin = poses[:, 0] + 1j * poses[:, 1]
+        self._starts = origin + self._skip * np.exp(1j * yaw)
+        self._ends = origin + range_m * np.exp(1j * yaw)
+        shape = (robots, len(sonars), 3)
+        self._from, self._to = np.full(shape, HEIGHT_M), np.full(shape, HEIGHT_M)
+
+    def rays(self, poses: Sequence[Pose]) -> tuple[Floats, Floats]:
+        """Return start and end points, each of shape (robots x sonars, 3); the arrays are used again."""
+        where = np.array([[complex(x, y)] for x, y, _ in poses])
+        turn = np.array([[complex(math.cos(heading), math.sin(heading))] for _, _, heading in poses])
+        for out, local in ((self._from, self._starts), (self._to, self._ends)):
+            world = where + turn * local
+            out[:, :, 0], out[:, :, 1] = world.real, world.imag
+        return self._from.reshape(-1, 3), self._to.reshape(-1, 3)
+
+    def ranges_m(self, fractions: Sequence[float]) -> Floats:
+        """Return ranges of shape (robots, sonars) from the fractions of the rays that were travelled, 1 for no echo."""
+        travelled = np.array(fractions).reshape(-1, len(self._span)) * self._span
+        return np.clip(self._skip + travelled, 0.0, self._range_m)
+
+
+class ReadNoise:
+    """Read noise of one robot's ring: each range is off by a uniform share, and never above the largest range.
+
+    Choice: Pyro redraws the noise at each read; a read beyond the largest range is the largest range
+    (docs/fidelity.md).
+
+    Args:
+        noise: Largest share, 0.05 for 5 %.
+        sonars: Number of sonars.
+        range_m: Largest range.
+        rng: The ring's own random numbers.
+    """
+
+    def __init__(self, noise: float, sonars: int, range_m: float, rng: np.random.Generator) -> None:
+        self._noise = noise
+        self._shape = (BLOCK, sonars)
+        self._range_m = range_m
+        self._rng = rng
+        self._factors: Iterator[Floats] = iter(())
+
+    def read(self, ranges_m: Floats) -> Floats:
+        """Return the ranges, shape (sonars,), as they are read this time."""
+        factors = next(self._factors, None)
+        if factors is None:
+            self._factors = iter(1.0 + self._noise * self._rng.uniform(-1.0, 1.0, self._shape))
+            factors = next(self._factors)
+        return np.minimum(ranges_m * factors, self._range_m)
+
+
+def _edge(x_m: float, y_m: float, yaw_deg: float) -> float:
+    yaw = math.radians(yaw_deg)
+    return edge_m(x_m, y_m, math.cos(yaw), math.sin(yaw))

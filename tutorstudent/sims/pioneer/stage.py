@@ -1,0 +1,90 @@
+"""Setting a scene up in Bullet: one mesh for all that never moves, one shape for each robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.world import Point
+from tutorstudent.sims.pioneer.body import Pose
+from tutorstudent.sims.pioneer.bullet import Bullet, Rgba
+from tutorstudent.sims.pioneer.layout import Layout
+from tutorstudent.sims.pioneer.mesh import HEIGHT_M, prisms
+from tutorstudent.sims.pioneer.motion import FREE, WALLS, KinematicDrive, Shapes
+
+PAINT: dict[str, Rgba] = {
+    "red": (0.85, 0.1, 0.1, 1.0),
+    "green": (0.1, 0.6, 0.2, 1.0),
+    "blue": (0.1, 0.2, 0.85, 1.0),
+    "yellow": (0.9, 0.8, 0.1, 1.0),
+    "grey": (0.5, 0.5, 0.5, 1.0),
+}
+
+
+class Stage:
+    """The bodies of a scene.
+
+    Args:
+        bullet: Where they are put; emptied first.
+        layout: The scene.
+
+    Attributes:
+        walls: Body of all that never moves.
+        shapes: Bodies of the robots.
+    """
+
+    def __init__(self, bullet: Bullet, layout: Layout) -> None:
+        bullet.clear()
+        self._bullet = bullet
+        self._layout = layout
+        self.walls = bullet.add_walls(*prisms(layout.solids))
+        self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
+        self.pictures = [
+            bullet.add_picture(
+                (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M),
+                Pose(box.x_m, box.y_m, box.heading_rad),
+                PAINT[box.colour],
+            )
+            for box in layout.boxes
+        ]
+
+    def refuse_taken(self, poses: Sequence[Pose]) -> None:
+        """Raise PipelineError if a robot would start in something solid."""
+        for index, taken in enumerate(self.taken(poses)):
+            if taken:
+                robot, pose = self._layout.robots[index], poses[index]
+                raise PipelineError(
+                    f"scene: robot '{robot.name}' cannot start at x {pose.x_m:.2f} m, y {pose.y_m:.2f} m, "
+                    f"heading {pose.heading_rad:.2f} rad: {taken}; move it."
+                )
+
+    def taken(self, poses: Sequence[Pose]) -> list[str]:
+        """Return what stands where each robot would start, empty where nothing does."""
+        probe = KinematicDrive(self._bullet, self.walls, self.shapes, poses, 1.0)
+        self.shapes.show(poses)
+        return [self._taken(probe, index, pose) for index, pose in enumerate(poses)]
+
+    def _taken(self, probe: KinematicDrive, index: int, pose: Pose) -> str:
+        here = (pose.x_m, pose.y_m)
+        if not inside(here, self._layout.arena):
+            return "that is outside the arena"
+        if any(inside(here, solid) for solid in self._layout.islands):
+            return "that is inside an island"
+        touched = probe.touches(index)
+        if touched == FREE:
+            return ""
+        return "it touches a wall or a box" if touched == WALLS else f"it touches '{self._layout.robots[touched].name}'"
+
+
+def inside(point: Point, outline: Sequence[Point]) -> bool:
+    """Return whether a point lies inside a closed outline.
+
+    >>> inside((1, 1), [(0, 0), (2, 0), (2, 2), (0, 2)]), inside((3, 1), [(0, 0), (2, 0), (2, 2), (0, 2)])
+    (True, False)
+    """
+    x, y = point
+    crossings = 0
+    for (x0, y0), (x1, y1) in zip(outline, [*outline[1:], outline[0]], strict=True):
+        if (y0 > y) != (y1 > y):
+            crossings += x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+    return crossings % 2 == 1
