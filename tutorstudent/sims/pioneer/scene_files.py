@@ -17,6 +17,8 @@ SCENES = Path(__file__).parent / "scenes"
 """The scenes that are shipped."""
 
 _KEYS = {key for spec in (SceneSpec, Walls, RosMap, Circle, Box, Robot) for key in spec.model_fields}
+ALTERNATIVES = ("circle", "polygon", "walls", "map", "file")
+"""Names that pydantic puts into a location where several kinds of value are allowed."""
 _SpecT = TypeVar("_SpecT", bound=Spec)
 
 
@@ -72,14 +74,18 @@ def _sentences(error: ValidationError, data: Any, path: Path) -> Iterator[str]:
 
 def _keys(loc: tuple[int | str, ...], data: Any) -> Iterator[str]:
     """Yield the keys of a location as they stand in the file; the names of alternatives are not in it."""
-    for i, key in enumerate(loc):
-        if (isinstance(data, Mapping) and key in data) or (
-            isinstance(data, list) and isinstance(key, int) and key < len(data)
-        ):
-            data = data[key]
-        elif i < len(loc) - 1 or key in ("circle", "polygon", "walls", "map", "file"):
-            continue
+    for key in loc:
+        if isinstance(data, Mapping | list):
+            if key in ALTERNATIVES and not (isinstance(data, Mapping) and key in data):
+                continue
+            data = _item(data, key)
         yield str(key)
+
+
+def _item(data: Mapping[Any, Any] | list[Any], key: int | str) -> Any:
+    if isinstance(data, Mapping):
+        return data.get(key)
+    return data[key] if isinstance(key, int) and key < len(data) else None
 
 
 def _problem(key: str, item: Any) -> str:

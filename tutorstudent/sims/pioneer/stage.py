@@ -39,14 +39,9 @@ class Stage:
         self._layout = layout
         self.walls = bullet.add_walls(*prisms(layout.solids))
         self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
-        self.pictures = [
-            bullet.add_picture(
-                (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M),
-                Pose(box.x_m, box.y_m, box.heading_rad),
-                PAINT[box.colour],
-            )
-            for box in layout.boxes
-        ]
+        for box in layout.boxes:
+            size = (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M)
+            bullet.add_picture(size, Pose(box.x_m, box.y_m, box.heading_rad), PAINT[box.colour])
 
     def refuse_taken(self, poses: Sequence[Pose]) -> None:
         """Raise PipelineError if a robot would start in something solid."""
