@@ -1,0 +1,59 @@
+# `make demo` and `make test` do everything on a machine with Python 3.11 (or newer) and make.
+
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+VENV := .venv
+BIN := $(VENV)/bin
+PIPELINES := examples/prototype2/pipelines
+WORKERS ?= 2
+
+.PHONY: help demo compare test check format lint types tests soak bench install clean
+
+help: ## say what there is
+	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
+
+$(VENV)/bin/python:
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "tutorstudent needs Python 3.11 or newer; say make PYTHON=...")'
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/.demo: pyproject.toml | $(VENV)/bin/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[bullet,study]'
+	touch $@
+
+$(VENV)/.dev: pyproject.toml | $(VENV)/bin/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	touch $@ $(VENV)/.demo
+
+install: $(VENV)/.dev ## set up the virtual environment with everything
+
+demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
+	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml \
+		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --workers $(WORKERS) --out demo-out
+
+compare: $(VENV)/.demo ## 10 paired seeds with controls in the four environments, full and streamlined
+	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml $(PIPELINES)/streamlined.yaml \
+		--vary world.scene=chase-avoid,cave-box,cave-predator-prey,cave-predator-prey-box \
+		--runs 10 --decisions 10000 --workers $(WORKERS) --out studies/compare
+
+test: check ## all checks: format, lint, types, tests with warnings as errors
+check: format lint types tests
+
+format: $(VENV)/.dev
+	$(BIN)/ruff format --check .
+
+lint: $(VENV)/.dev
+	$(BIN)/ruff check .
+
+types: $(VENV)/.dev
+	$(BIN)/mypy
+
+tests: $(VENV)/.dev
+	$(BIN)/python -m pytest
+
+soak: $(VENV)/.dev ## a million random decisions with hostile parts: zero breaches of the behaviour contract
+	$(BIN)/python -m tests.soak --decisions 1000000 --seed 1
+
+bench: $(VENV)/.dev ## CPU time per decision and ratios; writes docs/performance.md
+	$(BIN)/python -m tests.bench
+
+clean: ## remove what the targets made
+	rm -rf $(VENV) demo-out studies runs

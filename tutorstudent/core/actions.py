@@ -46,6 +46,8 @@ class Vocabulary(NamedTuple):
     """What an action class can say: its kinds, its components, and what may be amplified for each kind."""
 
     kinds: tuple[str, ...]
+    fields: tuple[str, ...]
+    """``kind`` and the components: all that an action holds."""
     components: dict[str, ComponentSpec]
     groups: dict[str, tuple[Group, ...]]
 
@@ -103,7 +105,7 @@ class Action(BaseModel):
     kind: str = Field("command", pattern="^command$")
 
     amplification: ClassVar[AmplificationMap] = {}
-    vocabulary: ClassVar[Vocabulary] = Vocabulary(("command",), {}, {"command": ()})
+    vocabulary: ClassVar[Vocabulary] = Vocabulary(("command",), ("kind",), {}, {"command": ()})
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
@@ -125,7 +127,7 @@ def vocabulary_of(cls: type[Action]) -> Vocabulary:
             f"its kinds are {listing(kinds)}."
         )
     groups = {kind: _groups(cls, kind, specs) for kind in kinds}
-    return Vocabulary(kinds, specs, groups)
+    return Vocabulary(kinds, ("kind", *specs), specs, groups)
 
 
 def _kinds(cls: type[Action]) -> tuple[str, ...]:

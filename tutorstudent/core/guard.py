@@ -71,13 +71,13 @@ def _say(error: BaseException) -> str:
 def replica(action: ActionT) -> ActionT:
     """Return a validated copy of an action; raises pydantic's ValidationError if the action is not sound."""
     values = action.__dict__
-    return type(action)(**{name: values[name] for name in type(action).model_fields})
+    return type(action)(**{name: values[name] for name in action.vocabulary.fields})
 
 
 def check_intact(shown: Action, original: Action) -> None:
     """Raise a `Breach` if the copy that parts were shown no longer says what the original says."""
     copy, own = shown.__dict__, original.__dict__
-    if copy != own and any(copy.get(name) != own[name] for name in type(original).model_fields):
+    if copy != own and any(copy.get(name) != own[name] for name in original.vocabulary.fields):
         raise Breach("mutated", "the tutor's action was changed; records are for reading.")
 
 
@@ -88,7 +88,8 @@ def received(graded: Any, shown: ActionT, original: ActionT) -> GradedAction[Act
         raise Breach("wrong-return", f"returned {type(graded).__name__}; return a GradedAction.")
     if graded.action is not shown and graded.action != shown:
         raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
-    level = exact_level(graded.level)
+    level, ampbit = exact_level(graded.level), exact_bit(graded.ampbit)
     if level < 0:
         raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
-    return GradedAction(shown, level, exact_bit(graded.ampbit))
+    plain = graded.action is shown and level is graded.level and ampbit is graded.ampbit
+    return graded if plain else GradedAction(shown, level, ampbit)

@@ -92,7 +92,7 @@ def reached_level(
     own, done = original.__dict__, executed.__dict__
     movable = {name for group in groups for name in group.names}
     if executed.kind != original.kind or any(
-        done[name] != own[name] for name in type(original).model_fields if name not in movable
+        done[name] != own[name] for name in original.vocabulary.fields if name not in movable
     ):
         return None
     if any(not _between(group, own, done, 0.0, f) for group, f in _with(level, original, groups, levels)):

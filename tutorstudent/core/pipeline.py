@@ -21,13 +21,7 @@ from tutorstudent.core.registry import Registry
 from tutorstudent.core.world import World
 from tutorstudent.core.yamlfile import Document, Location, read_yaml
 
-SLOTS = {
-    "tutor": "tutor",
-    "student": "student",
-    "selector": "selector",
-    "amplifier": "amplifier",
-    "evaluator": "evaluator",
-}
+SLOTS = ("tutor", "student", "selector", "amplifier", "evaluator")
 DEFAULTS: dict[str, Any] = {
     "selector": "same-kind",
     "amplifier": "learning-phase",
@@ -80,7 +74,7 @@ class Pipeline:
         Raises:
             PipelineError: if the file says something that cannot be built.
         """
-        parts = {slot: given.get(slot) or self._part(role, slot) for slot, role in SLOTS.items()}
+        parts = {slot: given.get(slot) or self._part(slot) for slot in SLOTS}
         conditions = given.get("conditions") or self._assembler.parts(
             "condition", self._value("conditions"), ("conditions",)
         )
@@ -114,11 +108,11 @@ class Pipeline:
             observer.bind(Binding(self.header.seed, f"observers.{i}", action))
         return found
 
-    def _part(self, role: str, slot: str) -> Any:
+    def _part(self, slot: str) -> Any:
         value = self._value(slot)
         if value is None:
             raise PipelineError(f"{self.document.name}: there is no '{slot}'; name one, as in '{slot}: {{use: ...}}'.")
-        return self._assembler.part(role, value, (slot,))
+        return self._assembler.part(slot, value, (slot,))
 
     def _value(self, key: str) -> Any:
         return self.document.data.get(key, DEFAULTS.get(key))
@@ -151,17 +145,17 @@ def _set(data: dict[str, Any], keys: tuple[str, ...], value: Any) -> None:
     data[keys[-1]] = value
 
 
-def describe(engine: Engine[Any, Any, Any], world: World[Any, Any] | None, header: Header) -> dict[str, Any]:
+def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pipeline) -> dict[str, Any]:
     """Return a pipeline with every option written out, defaults included; it can be read again."""
-    slots = {slot: getattr(engine, slot).describe() for slot in SLOTS}
     failure = engine.on_tutor_failure
     return (
-        header.model_dump()
-        | ({} if world is None else {"world": world.describe()})
-        | slots
+        pipeline.header.model_dump()
+        | {"world": world.describe()}
+        | {slot: getattr(engine, slot).describe() for slot in SLOTS}
         | {
             "conditions": [condition.describe() for condition in engine.conditions],
             "limits": engine.limits.model_dump(),
+            "observers": pipeline.document.data.get("observers", []),
             "on_tutor_failure": "raise" if failure is None else failure.model_dump(),
         }
     )

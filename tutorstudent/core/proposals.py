@@ -19,7 +19,7 @@ def exact_level(value: Any) -> int:
     >>> exact_level(3), exact_level(True)
     (3, 1)
     """
-    return int.__add__(operator.index(value), 0)
+    return value if type(value) is int else int.__add__(operator.index(value), 0)
 
 
 def exact_bit(value: Any) -> bool:
@@ -28,6 +28,8 @@ def exact_bit(value: Any) -> bool:
     >>> exact_bit(1), exact_bit(False)
     (True, False)
     """
+    if value is True or value is False:
+        return value
     number = int(value) if isinstance(value, np.bool_) else exact_level(value)
     if number not in (0, 1):
         raise ValueError(f"a bit is 0 or 1, not {number}")

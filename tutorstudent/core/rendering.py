@@ -82,7 +82,7 @@ def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -
     }
     if not changes:
         return original
-    return type(original)(**{name: changes.get(name, values[name]) for name in type(original).model_fields})
+    return type(original)(**{name: changes.get(name, values[name]) for name in original.vocabulary.fields})
 
 
 def permitted(

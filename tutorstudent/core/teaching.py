@@ -21,7 +21,8 @@ class Pending(NamedTuple):
     def check_intact(self) -> None:
         """Raise a `Breach` if a part spoilt what it was shown."""
         check_intact(self.decision.moment.tutor_action, self.original)
-        check_intact(self.decision.executed, self.executed)
+        if self.decision.executed is not self.decision.moment.tutor_action:
+            check_intact(self.decision.executed, self.executed)
 
     def renewed(self) -> Decision[Any, Any]:
         """Return the decision with fresh copies, for the record, after a part spoilt the old ones."""
@@ -53,7 +54,9 @@ class Teacher(Generic[StateT, ActionT]):
                 return None
             if type(lesson) is not Lesson:
                 raise Breach("wrong-return", f"evaluate() returned {type(lesson).__name__}; return a Lesson or None.")
-            lesson = lesson._replace(target=received(lesson.target, shown, pending.original))
+            target = received(lesson.target, shown, pending.original)
+            if target is not lesson.target:
+                lesson = lesson._replace(target=target)
             part = "student"
             self._student.teach(lesson)
             pending.check_intact()

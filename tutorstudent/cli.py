@@ -1,0 +1,144 @@
+"""The command line: thin; a mistake of the user's is a sentence on standard error and exit code 2."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any, NoReturn
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from tutorstudent.core.errors import PipelineError, TutorStudentError
+from tutorstudent.core.pipeline import Pipeline
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.rundir import prepare, run_pipeline, write_run
+from tutorstudent.core.schema import pipeline_schema
+from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.progress import ProgressBar
+from tutorstudent.study.command import compare
+
+app = typer.Typer(
+    name="tutorstudent",
+    help="Wrap a controller that already works with a learner, so that it improves while it stays in command.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    add_completion=False,
+)
+plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
+app.add_typer(plugins, name="plugins")
+app.command()(compare)
+
+PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
+Setting = Annotated[
+    list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="another value for a dotted key; repeatable")
+]
+AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
+
+
+@app.command()
+def run(
+    pipeline: PipelineFile,
+    decisions: Annotated[int | None, typer.Option(min=1, help="how many decisions, instead of the file's")] = None,
+    seed: Annotated[int | None, typer.Option(min=0, help="the seed, instead of the file's")] = None,
+    out: Annotated[Path | None, typer.Option(help="directory of the run; default runs/NAME-SEED")] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="exit with 1 if any part broke its contract")] = False,
+    settings: Setting = None,
+) -> None:
+    """Run a pipeline in its world and write a directory that can be read later."""
+    changes = parse_settings(settings or [])
+    changes |= {key: value for key, value in (("decisions", decisions), ("seed", seed)) if value is not None}
+    chosen = Pipeline.read(pipeline).replaced(changes)
+    directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
+    prepare(directory)
+    with ProgressBar(f"{pipeline.stem}, seed {chosen.header.seed}") as bar:
+        finished = run_pipeline(chosen, [bar])
+    write_run(directory, finished)
+    _print_summary(finished.summary)
+    for (part, kind), count in sorted(finished.engine.incident_counts.items()):
+        _say(f"incidents: {part}: {kind}: {count}")
+    _say(f"written to {directory}")
+    if strict and finished.engine.incident_counts:
+        raise typer.Exit(1)
+
+
+@plugins.command("list")
+def plugins_list(as_json: AsJson = False) -> None:
+    """List the installed components, and the plugins that could not be loaded with reason and remedy."""
+    registry = Registry.discover()
+    if as_json:
+        _say(json.dumps(_listing(registry), indent=2))
+        return
+    table = Table("role", "name", "plugin", "distribution", "what it is")
+    for cls, entry_point, distribution in registry:
+        table.add_row(cls.role, cls.name, entry_point, distribution, _first_line(cls))
+    Console().print(table)
+    for broken in registry.broken:
+        _say(f"not loaded: '{broken.entry_point}' ({broken.distribution}): {broken.reason} {broken.remedy}")
+
+
+@app.command()
+def schema() -> None:
+    """Print a JSON Schema of pipelines, composed from the installed plugins."""
+    _say(json.dumps(pipeline_schema(Registry.discover()), indent=2))
+
+
+def parse_settings(settings: list[str]) -> dict[str, Any]:
+    """Return ``KEY=VALUE`` words as a mapping; values are read as YAML.
+
+    >>> parse_settings(["student.hidden=10", "conditions=[bumped]"])
+    {'student.hidden': 10, 'conditions': ['bumped']}
+    """
+    changes = {}
+    for setting in settings:
+        key, equals, value = setting.partition("=")
+        if not (key and equals):
+            raise PipelineError(f"--set {setting}: write KEY=VALUE, as in --set student.hidden=10.")
+        changes[key] = parse_yaml(value, f"--set {setting}").data
+    return changes
+
+
+def _listing(registry: Registry) -> dict[str, Any]:
+    return {
+        "components": [
+            {
+                "role": cls.role,
+                "name": cls.name,
+                "plugin": entry_point,
+                "distribution": distribution,
+                "description": _first_line(cls),
+            }
+            for cls, entry_point, distribution in registry
+        ],
+        "broken": [
+            {"plugin": plugin, "distribution": distribution, "reason": reason, "remedy": remedy}
+            for plugin, distribution, reason, remedy, _ in registry.broken
+        ],
+    }
+
+
+def _first_line(cls: type[Any]) -> str:
+    return (cls.__doc__ or "").strip().split("\n")[0]
+
+
+def _print_summary(summary: dict[str, float]) -> None:
+    table = Table("what", "value")
+    for key, value in summary.items():
+        table.add_row(key, f"{value:,.4g}" if value != int(value) else f"{int(value):,}")
+    Console().print(table)
+
+
+def _say(text: str) -> None:
+    typer.echo(text)
+
+
+def main() -> NoReturn:
+    """Run the command line; a `TutorStudentError` is a sentence and exit code 2."""
+    try:
+        app()
+    except TutorStudentError as error:
+        typer.echo(f"tutorstudent: {error}", err=True)
+        sys.exit(2)
+    sys.exit(0)
