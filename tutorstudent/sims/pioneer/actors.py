@@ -40,10 +40,22 @@ class PredatorOptions(PreyOptions):
 class Sensed(NamedTuple):
     """What an actor knows."""
 
-    sonar_m: Sequence[float]
-    """Ranges of `SONARS`."""
+    ahead_m: float
+    """Least reading of the sonars 2 to 5."""
+    left_m: float
+    """Least reading of the sonars 0 and 1."""
+    right_m: float
+    """Least reading of the sonars 6 and 7."""
+    open_side: float
+    """1 where the left sonars read more in all, -1 where the right ones do."""
     learner_rad: float | None
     """Bearing of the learner, or None if it is not seen."""
+
+
+def sensed(sonar_m: Sequence[float], learner_rad: float | None) -> Sensed:
+    """Return what the readings of `SONARS` and the bearing of the learner mean to an actor."""
+    a, b, c, d, e, f, g, h = sonar_m
+    return Sensed(min(c, d, e, f), min(a, b), min(g, h), 1.0 if a + b + c + d > e + f + g + h else -1.0, learner_rad)
 
 
 class Prey:
@@ -64,15 +76,15 @@ class Prey:
         self._arc = 0.0
         self.layers: tuple[Callable[[Sensed, bool], Drive | None], ...] = (self.recover, self.turn_away, self.bear_away)
 
-    def act(self, sensed: Sensed, stalled: bool) -> Drive:
+    def act(self, known: Sensed, stalled: bool) -> Drive:
         """Return the command for one tick."""
         for layer in self.layers:
-            command = layer(sensed, stalled)
+            command = layer(known, stalled)
             if command is not None:
                 return command
         return self.wander()
 
-    def recover(self, sensed: Sensed, stalled: bool) -> Drive | None:
+    def recover(self, known: Sensed, stalled: bool) -> Drive | None:
         """After a refused move, 3 to 9 ticks back (70 %) or forward at half speed with a random turn."""
         if stalled:
             self._recovery_left = int(self._rng.integers(3, 10))
@@ -83,22 +95,19 @@ class Prey:
         self._recovery_left -= 1
         return self._recovery
 
-    def turn_away(self, sensed: Sensed, stalled: bool) -> Drive | None:
+    def turn_away(self, known: Sensed, stalled: bool) -> Drive | None:
         """Something is ahead: turn to the side that is more open, and the same way until the front is clear."""
-        ahead = front_m(sensed)
-        if self._spin and ahead > self._options.clear_m:
+        if self._spin and known.ahead_m > self._options.clear_m:
             self._spin = 0.0
-        if not self._spin and ahead < self._options.front_m:
-            left, right = sum(sensed.sonar_m[:4]), sum(sensed.sonar_m[4:])
-            self._spin = 1.0 if left > right else -1.0
+        if not self._spin and known.ahead_m < self._options.front_m:
+            self._spin = known.open_side
         return (0.0, self._spin * self._options.turn) if self._spin else None
 
-    def bear_away(self, sensed: Sensed, stalled: bool) -> Drive | None:
+    def bear_away(self, known: Sensed, stalled: bool) -> Drive | None:
         """Something is beside: half speed in an arc away from it."""
-        left, right = min(sensed.sonar_m[:2]), min(sensed.sonar_m[6:])
-        if min(left, right) >= self._options.side_m:
+        if min(known.left_m, known.right_m) >= self._options.side_m:
             return None
-        away = -1.0 if left < right else 1.0
+        away = -1.0 if known.left_m < known.right_m else 1.0
         return (0.5 * self._options.forward, away * self._options.turn)
 
     def wander(self) -> Drive:
@@ -118,16 +127,11 @@ class Predator(Prey):
         self._hunt = options
         self.layers = (self.recover, self.chase, self.turn_away, self.bear_away)
 
-    def chase(self, sensed: Sensed, stalled: bool) -> Drive | None:
+    def chase(self, known: Sensed, stalled: bool) -> Drive | None:
         """Turn on the spot until the learner is ahead, then drive; let go when something is too near to drive."""
-        if sensed.learner_rad is None or front_m(sensed) < self._hunt.stop_m:
+        if known.learner_rad is None or known.ahead_m < self._hunt.stop_m:
             return None
         self._spin = 0.0
-        if abs(sensed.learner_rad) > self._hunt.aim_rad:
-            return (0.0, self._hunt.turn if sensed.learner_rad > 0 else -self._hunt.turn)
+        if abs(known.learner_rad) > self._hunt.aim_rad:
+            return (0.0, self._hunt.turn if known.learner_rad > 0 else -self._hunt.turn)
         return (self._hunt.forward, 0.0)
-
-
-def front_m(sensed: Sensed) -> float:
-    """Return the least reading of the sonars 2 to 5."""
-    return min(sensed.sonar_m[2:6])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tutorstudent.core.component import stream
-from tutorstudent.sims.pioneer.actors import SONARS, Predator, Prey, Sensed
+from tutorstudent.sims.pioneer.actors import SONARS, Predator, Prey, Sensed, sensed
 from tutorstudent.sims.pioneer.body import Pose, footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
@@ -15,7 +15,7 @@ from tutorstudent.sims.pioneer.motion import FREE, Command, Shapes
 from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.scene import Robot
 from tutorstudent.sims.pioneer.sonar import ReadNoise, SonarRing
-from tutorstudent.sims.pioneer.vision import BlobCamera, View
+from tutorstudent.sims.pioneer.vision import BlobCamera, Sight
 
 
 class Company:
@@ -58,39 +58,38 @@ class Company:
             self._sensed = self._sense(poses)
         self._ticks += 1
         full_speed, full_turn = self._speed
-        for index, actor, sensed in zip(self._members, self._actors, self._sensed, strict=True):
-            translation, rotation = actor.act(sensed, stopped[index] != FREE)
+        for index, actor, known in zip(self._members, self._actors, self._sensed, strict=True):
+            translation, rotation = actor.act(known, stopped[index] != FREE)
             commands[index] = (translation * full_speed, rotation * full_turn)
 
     def _sense(self, poses: Sequence[Pose]) -> list[Sensed]:
         self._shapes.show(poses)
         starts, ends = self._ring.rays([poses[i] for i in self._members])
         sights = self._sights(poses)
-        for i, views in sights.items():
-            near, far = self._camera.rays(poses[i], views)
-            starts, ends = np.concatenate((starts, near)), np.concatenate((ends, far))
+        for sight in sights.values():
+            starts, ends = np.concatenate((starts, sight.starts)), np.concatenate((ends, sight.ends))
         fractions = self._bullet.cast(starts, ends)
         rays = len(self._members) * len(SONARS)
         ranges = self._ring.ranges_m(fractions[:rays])
         bearings = self._bearings(sights, fractions[rays:])
         return [
-            Sensed(noise.read(row).tolist(), bearings.get(i))
+            sensed(noise.read(row).tolist(), bearings.get(i))
             for i, noise, row in zip(self._members, self._noise, ranges, strict=True)
         ]
 
-    def _sights(self, poses: Sequence[Pose]) -> dict[int, list[View]]:
+    def _sights(self, poses: Sequence[Pose]) -> dict[int, Sight]:
         """Return what each hunter could see of the learner, where it could see any."""
         if not self._hunters:
             return {}
         learner = footprint(poses[self._learner], "green")
-        sights = {i: self._camera.views(poses[i], [learner]) for i in self._hunters}
-        return {i: views for i, views in sights.items() if views}
+        sights = {i: self._camera.look(poses[i], [learner]) for i in self._hunters}
+        return {i: sight for i, sight in sights.items() if sight.views}
 
-    def _bearings(self, sights: dict[int, list[View]], fractions: Sequence[float]) -> dict[int, float]:
+    def _bearings(self, sights: dict[int, Sight], fractions: Sequence[float]) -> dict[int, float]:
         """Return the bearing of the learner for each hunter that sees it."""
         found = {}
-        for at, (i, views) in enumerate(sights.items()):
-            blobs = self._camera.blobs(views, fractions[at * self._camera.columns :])
+        for at, (i, sight) in enumerate(sights.items()):
+            blobs = self._camera.blobs(sight, fractions[at * self._camera.columns :])
             if blobs:
                 found[i] = blobs[0].bearing_rad
         return found

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from tutorstudent.core.world import Summary
-from tutorstudent.sims.pioneer.body import Pose, Rectangle
+from tutorstudent.sims.pioneer.body import REACH_M, Pose, Rectangle, footprint
 from tutorstudent.sims.pioneer.motion import FREE, Command
 
 EVENTS: Mapping[str, Summary] = {
@@ -46,20 +46,20 @@ class Tally:
         self._contact_speed_mps = self._distance_m = 0.0
         self._stalled = self._contacts = self._hits = self._encountered = self._ticks = 0
 
-    def add(self, poses: Sequence[Pose], stopped: Sequence[int], command: Command, movers: Sequence[Rectangle]) -> None:
+    def add(self, poses: Sequence[Pose], stopped: Sequence[int], command: Command, red: Sequence[Pose]) -> None:
         """Count one tick.
 
         Args:
             poses: Where the robots are after it.
             stopped: What stopped each of them.
             command: What the learner was told.
-            movers: Red bodies that move, where they are after it.
+            red: Where the red robots are after it.
         """
         pose = poses[self._learner]
         self._distance_m += math.hypot(pose.x_m - self._pose.x_m, pose.y_m - self._pose.y_m)
         self._pose = pose
         self._ticks += 1
-        self._encountered += self._encounters.count(pose, movers)
+        self._encountered += self._encounters.count(pose, red)
         self._add_stall(stopped[self._learner] != FREE, abs(command[0]))
         hitting = frozenset(i for i, by in enumerate(stopped) if by == self._learner)
         self._hits += len(hitting - self._hitting)
@@ -100,38 +100,43 @@ class Encounters:
     """Counts crossings of a radius round red things, with hysteresis.
 
     Distances run from the robot's rotation centre to the thing's surface. A thing counts again once the robot was
-    farther away than the release radius.
+    farther away than the release radius. What is near when counting begins is no encounter.
 
     Args:
-        boxes: Red things that never move.
-        movers: Number of red things that do.
+        pose: Where the robot begins.
+        boxes: Red boxes.
+        robots: Where the red robots begin.
         radius_m: Nearer than this is an encounter.
         release_m: Farther than this ends it; not less than `radius_m`.
     """
 
-    def __init__(self, boxes: Sequence[Rectangle], movers: int, radius_m: float, release_m: float) -> None:
-        self._boxes = list(boxes)
+    def __init__(
+        self, pose: Pose, boxes: Sequence[Rectangle], robots: Sequence[Pose], radius_m: float, release_m: float
+    ) -> None:
+        self._boxes = tuple(boxes)
         self._radius_m = radius_m
         self._release_m = release_m
-        self._inside = [False] * (len(boxes) + movers)
+        self._inside = [False] * (len(boxes) + len(robots))
+        self.count(pose, robots)
 
-    def begin(self, pose: Pose, movers: Sequence[Rectangle]) -> None:
-        """Start a trial: what is near already is no encounter."""
-        self.count(pose, movers)
-
-    def count(self, pose: Pose, movers: Sequence[Rectangle]) -> int:
-        """Return the number of things that the robot has come near to just now."""
-        inside = self._inside
+    def count(self, pose: Pose, robots: Sequence[Pose]) -> int:
+        """Return the number of red things that the robot has come near to since the last time."""
         entered = 0
-        for i, thing in enumerate((*self._boxes, *movers)):
-            reach = (self._release_m if inside[i] else self._radius_m) + thing.half_length_m + thing.half_width_m
-            if abs(thing.x_m - pose.x_m) > reach or abs(thing.y_m - pose.y_m) > reach:
-                inside[i] = False
-                continue
-            distance = thing.distance_m(pose.x_m, pose.y_m)
-            if inside[i]:
-                inside[i] = distance <= self._release_m
-            elif distance < self._radius_m:
-                inside[i] = True
+        for i, box in enumerate(self._boxes):
+            if self._enters(i, pose, box, box.half_length_m + box.half_width_m):
+                entered += 1
+        for i, robot in enumerate(robots, len(self._boxes)):
+            if self._enters(i, pose, robot, REACH_M):
                 entered += 1
         return entered
+
+    def _enters(self, index: int, pose: Pose, thing: Rectangle | Pose, size_m: float) -> bool:
+        inside = self._inside[index]
+        reach = self._release_m + size_m
+        if abs(thing.x_m - pose.x_m) > reach or abs(thing.y_m - pose.y_m) > reach:
+            self._inside[index] = False
+            return False
+        body = thing if isinstance(thing, Rectangle) else footprint(thing, "red")
+        distance = body.distance_m(pose.x_m, pose.y_m)
+        self._inside[index] = distance <= self._release_m if inside else distance < self._radius_m
+        return self._inside[index] and not inside

@@ -84,13 +84,13 @@ class KinematicDrive(Drive):
 
     def touches(self, index: int) -> int:
         """Return what the robot's shape touches where it is shown."""
-        body = self._shapes.bodies[index]
-        if self._bullet.touch(body, self._walls):
+        touch, bodies = self._bullet.touch, self._shapes.bodies
+        body = bodies[index]
+        if touch(body, self._walls):
             return WALLS
-        here = self.poses[index]
-        for other, there in enumerate(self.poses):
-            near = math.hypot(here.x_m - there.x_m, here.y_m - there.y_m) < NEAR_M
-            if near and other != index and self._bullet.touch(body, self._shapes.bodies[other]):
+        x, y, _ = self.poses[index]
+        for other, (u, v, _) in enumerate(self.poses):
+            if other != index and (u - x) ** 2 + (v - y) ** 2 < NEAR_M**2 and touch(body, bodies[other]):
                 return other
         return FREE
 

@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from tutorstudent.sims.pioneer.body import Pose, Rectangle, footprint
+from tutorstudent.sims.pioneer.body import Pose, footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import Shapes
@@ -45,12 +45,11 @@ class RayCamera:
         self._movers = coloured(layout, BLOB_COLOURS)
 
     def look(self, poses: Sequence[Pose]) -> tuple[Blob, ...]:
-        pose = poses[self._learner]
-        things = [*self._boxes, *bodies(poses, self._movers)]
-        views = self._camera.views(pose, things)
-        if not views:
+        things = [*self._boxes, *(footprint(poses[i], colour) for i, colour in self._movers)]
+        sight = self._camera.look(poses[self._learner], things)
+        if not sight.views:
             return ()
-        return self._camera.blobs(views, self._bullet.cast(*self._camera.rays(pose, views)))
+        return self._camera.blobs(sight, self._bullet.cast(sight.starts, sight.ends))
 
 
 class Senses:
@@ -102,8 +101,3 @@ def coloured(layout: Layout, colours: Sequence[str]) -> list[tuple[int, str]]:
     """Return index and colour of the robots, the learner left out, that have one of the colours."""
     robots = enumerate(layout.robots)
     return [(i, robot.colour) for i, robot in robots if robot.colour in colours and i != layout.learner]
-
-
-def bodies(poses: Sequence[Pose], robots: Sequence[tuple[int, str]]) -> list[Rectangle]:
-    """Return the bodies of some robots, given by index and colour."""
-    return [footprint(poses[i], colour) for i, colour in robots]

@@ -44,39 +44,46 @@ BLOCK = 256
 
 
 class SonarRing:
-    """Rays and ranges of some of the sonars of robots that share one scene.
+    """Rays and ranges of some of the sonars, for robots that are sensed together.
 
     Args:
         sonars: Which of the 16, in the order of the ranges.
         range_m: Largest range.
-        robots: Number of robots that are sensed at once.
+        robots: Number of robots.
     """
 
     def __init__(self, sonars: Sequence[int], range_m: float, robots: int = 1) -> None:
-        poses = np.array([SONARS[i] for i in sonars])
-        yaw = np.deg2rad(poses[:, 2])
+        x, y, degrees = np.array([SONARS[i] for i in sonars]).T
+        yaw = np.deg2rad(degrees)
         self._range_m = range_m
         self._skip = np.array([_edge(*SONARS[i]) + SKIN_M for i in sonars])
         self._span = range_m - self._skip
-        origin = poses[:, 0] + 1j * poses[:, 1]
-        self._starts = origin + self._skip * np.exp(1j * yaw)
-        self._ends = origin + range_m * np.exp(1j * yaw)
-        shape = (robots, len(sonars), 3)
-        self._from, self._to = np.full(shape, HEIGHT_M), np.full(shape, HEIGHT_M)
+        self._starts = _homogeneous(x + self._skip * np.cos(yaw), y + self._skip * np.sin(yaw))
+        self._ends = _homogeneous(x + range_m * np.cos(yaw), y + range_m * np.sin(yaw))
+        self._frames = np.zeros((robots, 3, 3))
+        self._frames[:, 2, 2] = HEIGHT_M
+        self._from, self._to = np.zeros((2, robots, len(sonars), 3))
 
     def rays(self, poses: Sequence[Pose]) -> tuple[Floats, Floats]:
         """Return start and end points, each of shape (robots x sonars, 3); the arrays are used again."""
-        where = np.array([[complex(x, y)] for x, y, _ in poses])
-        turn = np.array([[complex(math.cos(heading), math.sin(heading))] for _, _, heading in poses])
-        for out, local in ((self._from, self._starts), (self._to, self._ends)):
-            world = where + turn * local
-            out[:, :, 0], out[:, :, 1] = world.real, world.imag
+        for frame, (x, y, heading) in zip(self._frames, poses, strict=True):
+            cos, sin = math.cos(heading), math.sin(heading)
+            frame[0, 0] = frame[1, 1] = cos
+            frame[0, 1] = sin
+            frame[1, 0] = -sin
+            frame[2, 0] = x
+            frame[2, 1] = y
+        np.matmul(self._starts, self._frames, out=self._from)
+        np.matmul(self._ends, self._frames, out=self._to)
         return self._from.reshape(-1, 3), self._to.reshape(-1, 3)
 
     def ranges_m(self, fractions: Sequence[float]) -> Floats:
         """Return ranges of shape (robots, sonars) from the fractions of the rays that were travelled, 1 for no echo."""
-        travelled = np.array(fractions).reshape(-1, len(self._span)) * self._span
-        return np.clip(self._skip + travelled, 0.0, self._range_m)
+        ranges: Floats = np.array(fractions).reshape(self._from.shape[:2])
+        ranges *= self._span
+        ranges += self._skip
+        np.maximum(ranges, 0.0, out=ranges)
+        return ranges
 
 
 class ReadNoise:
@@ -105,7 +112,12 @@ class ReadNoise:
         if factors is None:
             self._factors = iter(1.0 + self._noise * self._rng.uniform(-1.0, 1.0, self._shape))
             factors = next(self._factors)
-        return np.minimum(ranges_m * factors, self._range_m)
+        read = ranges_m * factors
+        return np.minimum(read, self._range_m, out=read)
+
+
+def _homogeneous(x: Floats, y: Floats) -> Floats:
+    return np.column_stack((x, y, np.ones_like(x)))
 
 
 def _edge(x_m: float, y_m: float, yaw_deg: float) -> float:

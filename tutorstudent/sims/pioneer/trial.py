@@ -13,7 +13,7 @@ from tutorstudent.sims.pioneer.events import Encounters, Tally
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import FREE, Command
 from tutorstudent.sims.pioneer.options import PioneerOptions
-from tutorstudent.sims.pioneer.senses import Senses, bodies, coloured
+from tutorstudent.sims.pioneer.senses import Senses, coloured
 from tutorstudent.sims.pioneer.stage import Stage
 from tutorstudent.sims.pioneer.starts import start_poses
 from tutorstudent.sims.pioneer.types import PioneerState
@@ -34,7 +34,7 @@ class Trial:
         starts = start_poses(stage, layout, options.pose_jitter_m, seed)
         self._layout = layout
         self._learner = layout.learner
-        self._red = coloured(layout, ["red"])
+        self._red = [i for i, _ in coloured(layout, ["red"])]
         self._drive = make_drive(options, bullet, stage, starts)
         self._company = Company(bullet, stage.shapes, layout, options, seed)
         self._senses = Senses(
@@ -57,7 +57,7 @@ class Trial:
         self._company.command(drive.poses, self._stopped, self._commands)
         self._stopped = drive.tick(self._commands)
         self._senses.remember(tuple(drive.poses), self._stopped[self._learner] != FREE)
-        self._tally.add(drive.poses, self._stopped, command, bodies(drive.poses, self._red))
+        self._tally.add(drive.poses, self._stopped, command, [drive.poses[i] for i in self._red])
 
     def state(self) -> PioneerState:
         """Return what the learner senses now."""
@@ -81,9 +81,7 @@ class Trial:
         )
 
     def _encounters(self, options: PioneerOptions) -> Encounters:
-        """Return the counter of encounters; what is near at the start does not count."""
         poses = self._drive.poses
         boxes = [box for box in self._layout.boxes if box.colour == "red"]
-        counter = Encounters(boxes, len(self._red), options.encounter_radius_m, options.encounter_release_m)
-        counter.count(poses[self._learner], bodies(poses, self._red))
-        return counter
+        radii = (options.encounter_radius_m, options.encounter_release_m)
+        return Encounters(poses[self._learner], boxes, [poses[i] for i in self._red], *radii)

@@ -11,12 +11,14 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from tutorstudent.sims.pioneer.body import Pose, Rectangle, edge_m
+from tutorstudent.sims.pioneer.body import CENTRE_M, LENGTH_M, WIDTH_M, Pose, Rectangle
 from tutorstudent.sims.pioneer.sonar import HEIGHT_M, SKIN_M
 from tutorstudent.sims.pioneer.types import Blob
 
 SHORT_M = 0.01
 """An occlusion ray ends this far before the thing's surface, so that only others can stop it."""
+FRONT_M = LENGTH_M / 2 + CENTRE_M
+"""Distance from the rotation centre to the body's front."""
 
 Point3 = tuple[float, float, float]
 
@@ -28,103 +30,131 @@ class View(NamedTuple):
     right_rad: float
     """Bearing of the first column's right edge."""
     column_rad: float
-    surface_m: tuple[float, ...]
+    surface_m: list[float]
     """Distance to the surface along the middle of each column, from right to left."""
+
+
+class Sight(NamedTuple):
+    """All views from a pose, with one ray for each column of each view, in their order."""
+
+    views: list[View]
+    starts: list[Point3]
+    ends: list[Point3]
+
+
+class _Placed(NamedTuple):
+    """A rectangle in the camera's frame: centre forward and left, direction of its length."""
+
+    forward_m: float
+    left_m: float
+    cos: float
+    sin: float
+    half_length_m: float
+    half_width_m: float
 
 
 class BlobCamera:
     """Geometry of the camera.
 
     Args:
-        field_of_view_rad: Full opening angle.
+        field_of_view_rad: Full opening angle, less than pi.
         range_m: How far it sees.
         columns: Rays for each thing.
     """
 
     def __init__(self, field_of_view_rad: float, range_m: float, columns: int) -> None:
-        self._half_rad = field_of_view_rad / 2
-        self._range_m = range_m
         self.columns = columns
+        self._half_rad = field_of_view_rad / 2
+        self._cos, self._sin = math.cos(self._half_rad), math.sin(self._half_rad)
+        self._range_m = range_m
 
-    def views(self, pose: Pose, things: Iterable[Rectangle]) -> list[View]:
-        """Return the things that are in range and in the field of view."""
-        return [view for thing in things if (view := self._view(pose, thing)) is not None]
+    def look(self, pose: Pose, things: Iterable[Rectangle]) -> Sight:
+        """Return the things that are in range and in the field of view, and the rays that tell what is hidden."""
+        x, y, heading = pose
+        cos, sin = math.cos(heading), math.sin(heading)
+        sight = Sight([], [], [])
+        for thing in things:
+            dx, dy = thing.x_m - x, thing.y_m - y
+            forward, left = dx * cos + dy * sin, dy * cos - dx * sin
+            if self._may_see(forward, left, thing.half_length_m + thing.half_width_m):
+                along, across = thing.cos * cos + thing.sin * sin, thing.sin * cos - thing.cos * sin
+                placed = _Placed(forward, left, along, across, thing.half_length_m, thing.half_width_m)
+                self._add(sight, thing.colour, placed, (x, y, cos, sin))
+        return sight
 
-    def rays(self, pose: Pose, views: Iterable[View]) -> tuple[list[Point3], list[Point3]]:
-        """Return start and end points of one ray for each column of each view."""
-        starts: list[Point3] = []
-        ends: list[Point3] = []
-        for view in views:
-            for i, surface in enumerate(view.surface_m):
-                bearing = view.right_rad + (i + 0.5) * view.column_rad
-                near = edge_m(0.0, 0.0, math.cos(bearing), math.sin(bearing)) + SKIN_M
-                starts.append(_point(pose, bearing, near))
-                ends.append(_point(pose, bearing, max(surface - SHORT_M, near + SKIN_M)))
-        return starts, ends
-
-    def blobs(self, views: Iterable[View], fractions: Sequence[float]) -> tuple[Blob, ...]:
+    def blobs(self, sight: Sight, fractions: Sequence[float]) -> tuple[Blob, ...]:
         """Return what is seen, nearest first, from the travelled fractions of the rays, 1 for a free one."""
         found: list[Blob] = []
-        at = 0
-        for view in views:
-            seen = [i for i in range(self.columns) if fractions[at + i] >= 1.0]
-            at += self.columns
+        columns = self.columns
+        for at, view in enumerate(sight.views):
+            first = at * columns
+            seen = [i for i in range(columns) if fractions[first + i] >= 1.0]
             if seen:
                 found.append(_blob(view, seen))
         found.sort(key=_range)
         return tuple(found)
 
-    def _view(self, pose: Pose, thing: Rectangle) -> View | None:
-        dx, dy = thing.x_m - pose.x_m, thing.y_m - pose.y_m
-        radius = thing.half_length_m + thing.half_width_m
+    def _may_see(self, forward: float, left: float, radius: float) -> bool:
+        """Return whether a disc reaches into the range and the wedge of the field of view."""
         reach = self._range_m + radius
-        if dx * dx + dy * dy > reach * reach:
-            return None
-        middle = math.remainder(math.atan2(dy, dx) - pose.heading_rad, math.tau)
-        right, left = _extent(dx, dy, thing)
-        right, left = max(middle + right, -self._half_rad), min(middle + left, self._half_rad)
+        in_range = forward * forward + left * left <= reach * reach
+        return in_range and abs(left) * self._cos - forward * self._sin <= radius
+
+    def _add(self, sight: Sight, colour: str, thing: _Placed, camera: tuple[float, float, float, float]) -> None:
+        right, left = _extent(thing)
+        right, left = max(right, -self._half_rad), min(left, self._half_rad)
         if right >= left:
-            return None
+            return
         column = (left - right) / self.columns
-        bearings = [right + (i + 0.5) * column for i in range(self.columns)]
-        surface = tuple(_surface_m(dx, dy, thing, pose.heading_rad + bearing) for bearing in bearings)
-        return View(thing.colour, right, column, surface) if min(surface) <= self._range_m else None
+        rays = [_ray(thing, right + (i + 0.5) * column, camera) for i in range(self.columns)]
+        surface_m = [ray[0] for ray in rays]
+        if min(surface_m) <= self._range_m:
+            sight.views.append(View(colour, right, column, surface_m))
+            sight.starts.extend(ray[1] for ray in rays)
+            sight.ends.extend(ray[2] for ray in rays)
 
 
-def _extent(dx: float, dy: float, thing: Rectangle) -> tuple[float, float]:
-    """Return the bearings of the thing's right and left edge from that of its centre, seen from the origin."""
+def _extent(thing: _Placed) -> tuple[float, float]:
+    """Return the bearings of the thing's right and left edge; it is seen under less than half a turn."""
+    x, y, cos, sin, length, width = thing
+    ax, ay, bx, by = cos * length, sin * length, -sin * width, cos * width
     right = left = 0.0
-    along_x, along_y = thing.cos * thing.half_length_m, thing.sin * thing.half_length_m
-    across_x, across_y = -thing.sin * thing.half_width_m, thing.cos * thing.half_width_m
-    for i, j in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-        x = dx + i * along_x + j * across_x
-        y = dy + i * along_y + j * across_y
-        bearing = math.atan2(dx * y - dy * x, dx * x + dy * y)
-        right, left = min(right, bearing), max(left, bearing)
-    return right, left
+    for i, j in ((ax + bx, ay + by), (ax - bx, ay - by), (-ax - bx, -ay - by), (bx - ax, by - ay)):
+        off = math.atan2(x * (y + j) - y * (x + i), x * (x + i) + y * (y + j))
+        if off < right:
+            right = off
+        elif off > left:
+            left = off
+    middle = math.atan2(y, x)
+    return middle + right, middle + left
 
 
-def _surface_m(dx: float, dy: float, thing: Rectangle, direction: float) -> float:
-    """Return the distance from the origin to the thing's surface along a direction that meets it."""
-    cos, sin = math.cos(direction), math.sin(direction)
+def _ray(thing: _Placed, bearing: float, camera: tuple[float, float, float, float]) -> tuple[float, Point3, Point3]:
+    """Return the distance to the thing's surface, and a ray from the robot's body to just before it."""
+    x, y, cos, sin = camera
+    ahead, aside = math.cos(bearing), math.sin(bearing)
+    surface = _surface_m(thing, ahead, aside)
+    near = SKIN_M + (FRONT_M / ahead if abs(aside) * FRONT_M <= ahead * WIDTH_M / 2 else WIDTH_M / 2 / abs(aside))
+    far = max(surface - SHORT_M, near + SKIN_M)
+    dx, dy = ahead * cos - aside * sin, aside * cos + ahead * sin
+    return surface, (x + near * dx, y + near * dy, HEIGHT_M), (x + far * dx, y + far * dy, HEIGHT_M)
+
+
+def _surface_m(thing: _Placed, ahead: float, aside: float) -> float:
+    """Return the distance from the camera to the thing's surface along a direction that meets it."""
+    x, y, cos, sin, length, width = thing
+    along, across = ahead * cos + aside * sin, aside * cos - ahead * sin
     near = 0.0
-    for offset, slope, half in (
-        (dx * thing.cos + dy * thing.sin, cos * thing.cos + sin * thing.sin, thing.half_length_m),
-        (dy * thing.cos - dx * thing.sin, sin * thing.cos - cos * thing.sin, thing.half_width_m),
-    ):
-        if abs(slope) > 1e-12:
-            near = max(near, offset / slope - half / abs(slope))
-    return near
-
-
-def _point(pose: Pose, bearing: float, distance: float) -> Point3:
-    direction = pose.heading_rad + bearing
-    return (pose.x_m + distance * math.cos(direction), pose.y_m + distance * math.sin(direction), HEIGHT_M)
+    if along != 0.0:
+        near = (x * cos + y * sin) / along - length / abs(along)
+    if across != 0.0:
+        near = max(near, (y * cos - x * sin) / across - width / abs(across))
+    return max(near, 0.0)
 
 
 def _blob(view: View, seen: Sequence[int]) -> Blob:
     middle = view.right_rad + (sum(seen) / len(seen) + 0.5) * view.column_rad
-    return Blob(view.colour, middle, min(view.surface_m[i] for i in seen), len(seen) * view.column_rad)
+    return Blob(view.colour, middle, min([view.surface_m[i] for i in seen]), len(seen) * view.column_rad)
 
 
 def _range(blob: Blob) -> float:
