@@ -188,8 +188,12 @@ def option_message(cls: type[Component], error: ValidationError) -> str:
 
 
 def option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
-    """Return (location, sentence) for every mistake in a pydantic error about `model`."""
-    return [(tuple(item["loc"]), _problem(model, item)) for item in error.errors(include_url=False)]
+    """Return (location, sentence) for every mistake in a pydantic error about `model`, unknown options first.
+
+    An option that is missing is most often one that is misspelt.
+    """
+    items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
+    return [(tuple(item["loc"]), _problem(model, item)) for item in items]
 
 
 def _problem(model: type[BaseModel], item: Any) -> str:

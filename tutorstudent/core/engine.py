@@ -27,7 +27,7 @@ from tutorstudent.core.records import Decision, Incident, Moment, StateT, Turn
 from tutorstudent.core.rendering import render
 from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
-from tutorstudent.core.wiring import check_failure_action, check_wiring
+from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
 
 
 class Engine(Generic[StateT, ActionT, ProposalT]):
@@ -66,12 +66,13 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         self.tutor, self.student, self.selector = tutor, student, selector
         self.amplifier, self.evaluator, self.conditions = amplifier, evaluator, tuple(conditions)
         self.limits, self.on_tutor_failure = limits or Limits(), on_tutor_failure
+        check_vocabulary(tutor)
         check_failure_action(tutor, on_tutor_failure)
         self._guard = Guard(on_incident)
         self._judge = Judge(self.conditions, self._guard)
         for slot, part in self.slots():
             part.bind(Binding(seed, slot, tutor.action))
-        check_wiring(tutor, student, selector)
+        check_wiring(student, selector)
         self._seat = TutorSeat(tutor, self._guard, on_tutor_failure)
         self._levels = LevelLimiter(self.limits, amplifier)
         self._grader = Grader(student, selector, amplifier, self._levels, self._guard)

@@ -89,6 +89,7 @@ class Registry:
             classes = list(_components(entry_point))
             for cls in classes:
                 self._check(cls, entry_point.name)
+            _check_doubles(classes, entry_point.name)
         except KeyboardInterrupt:
             raise
         except BaseException as error:
@@ -167,6 +168,14 @@ def _components(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
         )
     for classes in manager.hook.tutorstudent_components():
         yield from classes
+
+
+def _check_doubles(classes: list[type[Component]], entry_point: str) -> None:
+    seen: set[tuple[str, str]] = set()
+    for cls in classes:
+        if (cls.role, cls.name) in seen:
+            raise DuplicatePlugin(f"{cls.role} '{cls.name}' of '{entry_point}' stands there twice; rename one of them.")
+        seen.add((cls.role, cls.name))
 
 
 def _ours(entry_point: metadata.EntryPoint) -> bool:

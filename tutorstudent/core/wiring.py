@@ -9,11 +9,11 @@ from tutorstudent.core.errors import ContractError, listing
 from tutorstudent.core.interfaces import ActionSelector, Student, Tutor
 
 
-def check_wiring(tutor: Tutor[Any, Any], student: Student[Any, Any, Any], selector: ActionSelector[Any, Any]) -> None:
-    """Refuse parts that do not fit together.
+def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
+    """Refuse a tutor whose actions have nothing to amplify.
 
     Raises:
-        ContractError: if nothing can be amplified, or the selector cannot read the student's proposals.
+        ContractError: if they have not.
     """
     vocabulary = tutor.action.vocabulary
     if not any(vocabulary.groups.values()):
@@ -21,6 +21,14 @@ def check_wiring(tutor: Tutor[Any, Any], student: Student[Any, Any, Any], select
             f"tutor '{tutor.name}': the action class {tutor.action.__name__} has nothing to amplify; "
             f"its components are {listing(vocabulary.components)}. Name at least one in its 'amplification'."
         )
+
+
+def check_wiring(student: Student[Any, Any, Any], selector: ActionSelector[Any, Any]) -> None:
+    """Refuse a selector that cannot read the student's proposals.
+
+    Raises:
+        ContractError: if it cannot.
+    """
     if student.proposal is not selector.proposal:
         raise ContractError(
             f"selector '{selector.name}' needs {selector.proposal.__name__} but student '{student.name}' makes "

@@ -14,6 +14,7 @@ from tutorstudent.core.errors import PipelineError
 
 Key = int | str
 Location = tuple[Key, ...]
+PLAIN_TAGS = {f"tag:yaml.org,2002:{name}" for name in ("map", "seq", "str", "int", "float", "bool", "null")}
 
 
 class Place(NamedTuple):
@@ -72,7 +73,7 @@ def parse_yaml(text: str, name: str) -> Document:
 
 def _plain(node: Any, at: Location, places: dict[Location, Place], name: str) -> Any:
     tag = getattr(getattr(node, "tag", None), "value", None)
-    if tag is not None and not str(tag).startswith("tag:yaml.org,2002:"):
+    if tag is not None and str(tag) not in PLAIN_TAGS:
         place = places.get(at)
         position = f"{name}:{place.line}:{place.column}" if place else name
         raise PipelineError(f"{position}: the tag '{tag}' is not allowed; write plain YAML without tags.")
