@@ -152,6 +152,10 @@ def _described(value: Any) -> Any:
     return value
 
 
+ROLE_KEY = "x-role"
+"""Stands in an option's JSON schema for any component of the role; `schema.pipeline_schema` fills it in."""
+
+
 class PartMarker:
     """Marks an option that holds a nested component of one role."""
 
@@ -159,7 +163,7 @@ class PartMarker:
         return core_schema.is_instance_schema(get_origin(source) or source)
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        return {"$ref": f"#/$defs/{cast(Any, schema)['cls'].role}"}
+        return {ROLE_KEY: cast(Any, schema)["cls"].role}
 
 
 _T = TypeVar("_T")

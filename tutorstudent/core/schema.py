@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic.json_schema import models_json_schema
 
-from tutorstudent.core.component import Component
+from tutorstudent.core.component import ROLE_KEY, Component
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.pipeline import SLOTS, Header
 from tutorstudent.core.registry import ROLES, Registry
@@ -55,4 +55,14 @@ def _component(cls: type[Component]) -> dict[str, Any]:
         "required": ["use", *options.get("required", [])],
         "properties": {"use": {"const": cls.name}} | options.get("properties", {}),
     }
-    return {f"{cls.role}:{cls.name}": described} | nested
+    return {key: _filled(value) for key, value in ({f"{cls.role}:{cls.name}": described} | nested).items()}
+
+
+def _filled(node: Any) -> Any:
+    """Return a schema in which every place for a component refers to the definition of its role."""
+    if isinstance(node, list):
+        return [_filled(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    role = {"$ref": f"#/$defs/{node[ROLE_KEY]}"} if ROLE_KEY in node else {}
+    return {key: _filled(value) for key, value in node.items() if key != ROLE_KEY} | role
