@@ -173,6 +173,15 @@ def test_a_lesson_about_another_decision_is_encoded_anew() -> None:
     assert weights(other) == weights(student)
 
 
+def test_lessons_about_what_was_never_proposed_for_are_told_apart_whatever_their_number() -> None:
+    student, other = student_of(), student_of()
+    for number, seed in ((0, 1), (0, 2)):
+        student.teach(lesson(moment(number, bits(seed))))
+    for number, seed in ((0, 1), (1, 2)):
+        other.teach(lesson(moment(number, bits(seed))))
+    assert weights(other) == weights(student)
+
+
 def test_a_state_whose_buffer_is_used_again_does_not_fool_it() -> None:
     student, other, buffer = student_of(), student_of(), bits(1)
     about = moment(0, buffer)

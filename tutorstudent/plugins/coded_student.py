@@ -75,6 +75,7 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
 
     def propose(self, moment: Moment[StateT, ActionT]) -> ProposalT:
         self._encode(moment)
+        self._number = moment.number
         return self.answer(self._inputs)
 
     def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
@@ -91,8 +92,8 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
         super().load_state_dict({name: value for name, value in state.items() if name in parts})
 
     def _encode(self, moment: Moment[StateT, ActionT]) -> None:
+        self._number = None  # only what was proposed for is known again
         np.copyto(self._inputs, _checked(self.encoder, self.encoder.encode(moment), self.encoder.width))
-        self._number = moment.number
 
 
 def _checked(part: Encoder[Any, Any] | Codec[Any], numbers: Vector, width: int) -> Vector:

@@ -1,7 +1,8 @@
 """What a scikit-learn estimator learned, as named arrays and plain values: never pickle.
 
 The estimator itself gives the structure, so that a file brings numbers and nothing else: a fitted estimator with the
-same parameters is filled, value by value. None is left out, on both sides.
+same parameters is filled, value by value. None and random generators are left out, on both sides: what is random goes
+on from the seed.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from tutorstudent.core.errors import ContractError, listing
 from tutorstudent.plugins.learned import take_arrays
 
 Number = bool | int | float | np.number | np.bool
+_LEFT_OUT = (type(None), np.random.RandomState, np.random.Generator)
 _DEEPEST = 20
 
 
@@ -77,13 +79,10 @@ def _members(value: Any, where: str) -> dict[str, Any]:
             f"{where} is a {type(value).__name__}; only arrays, plain values and objects made of these can be saved. "
             "Use another estimator, or do without saving what it learned."
         )
-    return {str(name): item for name, item in found.items() if item is not None}
+    return {str(name): item for name, item in found.items() if not isinstance(item, _LEFT_OUT)}
 
 
 def _parts(value: Any) -> Mapping[Any, Any] | None:
-    if isinstance(value, np.random.RandomState):
-        state: Any = value.get_state(legacy=False)
-        return dict(state)
     if isinstance(value, list | tuple):
         return dict(enumerate(value))
     if isinstance(value, dict):
@@ -131,18 +130,13 @@ def _fill_members(template: Any, saved: Any, where: str) -> Any:
         found = listing(saved) if isinstance(saved, Mapping) else f"a {type(saved).__name__}"
         raise ContractError(f"{where}: found {found}; it takes {listing(needed)}.")
     filled = {name: fill_state(members[name], saved[name], f"{where}.{name}") for name in needed}
-    return _put(template, filled, where)
+    return _put(template, filled)
 
 
-def _put(template: Any, filled: dict[str, Any], where: str) -> Any:
-    if isinstance(template, np.random.RandomState):
-        try:
-            template.set_state(filled)
-        except (ValueError, TypeError) as error:
-            raise ContractError(f"{where}: {error}.") from None
-    elif isinstance(template, list | tuple):
+def _put(template: Any, filled: dict[str, Any]) -> Any:
+    if isinstance(template, list | tuple):
         return type(template)(filled.get(str(index), item) for index, item in enumerate(template))
-    elif isinstance(template, dict):
+    if isinstance(template, dict):
         template.update({key: filled[str(key)] for key in template if str(key) in filled})
     else:
         for name, value in filled.items():

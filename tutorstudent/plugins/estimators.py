@@ -82,16 +82,25 @@ def make_estimator(path: str, params: Mapping[str, Any], widths: tuple[int, int]
 
 def _of_all_outputs(estimator: Any, widths: tuple[int, int]) -> Any:
     from sklearn.base import is_regressor
-    from sklearn.multioutput import MultiOutputRegressor
 
     if not is_regressor(estimator):
         raise TypeError(f"it is no regressor; use {_EXAMPLES}.")
     try:
         fitted(estimator, widths)
-    except ValueError:
-        estimator = MultiOutputRegressor(estimator=estimator)
-        fitted(estimator, widths)
+    except ValueError as error:
+        return _repeated(estimator, widths, error)
     return estimator
+
+
+def _repeated(estimator: Any, widths: tuple[int, int], reason: ValueError) -> Any:
+    from sklearn.multioutput import MultiOutputRegressor
+
+    repeated = MultiOutputRegressor(estimator=estimator)
+    try:
+        fitted(repeated, widths)
+    except (TypeError, ValueError):
+        raise reason from None
+    return repeated
 
 
 def unfitted(estimator: Any) -> Any:

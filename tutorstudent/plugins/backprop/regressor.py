@@ -62,9 +62,10 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             X: Inputs, shape (examples, inputs).
             y: Targets, shape (examples,) or (examples, outputs).
         """
-        inputs, targets = self._begin(X, y)
+        rng = self._generator()
+        inputs, targets = self._begin(X, y, rng)
         for _ in range(self.epochs):
-            self._teach(inputs, targets, self._rng.permutation(len(inputs)))
+            self._teach(inputs, targets, rng.permutation(len(inputs)))
         return self
 
     def partial_fit(self, X: ArrayLike, y: ArrayLike) -> Self:  # noqa: N803 - scikit-learn's name
@@ -74,7 +75,8 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             X: Inputs, shape (examples, inputs).
             y: Targets, shape (examples,) or (examples, outputs).
         """
-        inputs, targets = self._go_on(X, y) if hasattr(self, "network_") else self._begin(X, y)
+        goes_on = hasattr(self, "network_")
+        inputs, targets = self._go_on(X, y) if goes_on else self._begin(X, y, self._generator())
         self._teach(inputs, targets, np.arange(len(inputs)))
         return self
 
@@ -101,13 +103,15 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
         if not 0.0 <= self.momentum < 1.0:
             raise ValueError(f"momentum is {self.momentum}; it must be at least 0 and below 1.")
 
-    def _begin(self, X: ArrayLike, y: ArrayLike) -> tuple[Matrix, Matrix]:  # noqa: N803
+    def _generator(self) -> np.random.Generator:
+        return np.random.default_rng(check_random_state(self.random_state).randint(2**31 - 1))
+
+    def _begin(self, X: ArrayLike, y: ArrayLike, rng: np.random.Generator) -> tuple[Matrix, Matrix]:  # noqa: N803
         self._check_params()
         inputs, targets = validate_data(self, X, y, dtype=np.float64, multi_output=True, y_numeric=True)
         self._flat = targets.ndim == 1
         targets = _columns(targets)
         self.input_range_, self.target_range_ = _range(inputs), _range(targets)
-        self._rng = np.random.default_rng(check_random_state(self.random_state).randint(2**31 - 1))
         self.network_ = Network(
             inputs.shape[1],
             self.hidden,
@@ -115,7 +119,7 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             learning_rate=self.learning_rate,
             momentum=self.momentum,
         )
-        self.network_.randomize(self._rng, self.initial_weight)
+        self.network_.randomize(rng, self.initial_weight)
         return inputs, targets
 
     def _go_on(self, X: ArrayLike, y: ArrayLike) -> tuple[Matrix, Matrix]:  # noqa: N803
