@@ -156,7 +156,7 @@ def test_the_learning_phase_overrules_the_ampbit_for_its_decisions_and_not_one_m
     for number in range(5):
         engine.step(Period(number, False, "left", SMALL["left"], Said("left", 2, 0)))
         levels.append(engine.pending.resulting.level)
-    assert [3, 3, 3, 2, 2] == levels
+    assert levels == [3, 3, 3, 2, 2]
 
 
 @pytest.mark.parametrize("streamlined", [False, True], ids=["3.2.3", "5.2.1"])
@@ -178,7 +178,7 @@ def test_the_first_decision_teaches_nothing_and_no_lesson_crosses_a_reset(stream
             engine.reset()
         engine.step(Period(number, False, "left", SMALL["left"], Said("left", 1, 1)))
     # 0 is taught by 1, 1 by 2; 2 is forgotten by the reset; 3 by 4, 4 by 5
-    assert [0, 1, 3, 4] == [lesson.moment.state.state for lesson in engine.student.lessons]
+    assert [lesson.moment.state.state for lesson in engine.student.lessons] == [0, 1, 3, 4]
 
 
 @pytest.mark.parametrize("streamlined", [False, True], ids=["3.2.3", "5.2.1"])
@@ -191,5 +191,5 @@ def test_a_lesson_is_about_the_state_before_and_carries_the_state_after(streamli
     (lesson,) = engine.student.lessons
     assert before is lesson.moment.state
     assert after is lesson.outcome.state
-    assert (0, 3, ("says",)) == (lesson.moment.number, lesson.executed_level, lesson.outcome.violated)
+    assert (lesson.moment.number, lesson.executed_level, lesson.outcome.violated) == (0, 3, ("says",))
     assert "right" == lesson.executed.kind != executed.kind
