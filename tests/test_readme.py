@@ -1,0 +1,67 @@
+"""What the README shows is what the package does."""
+
+from __future__ import annotations
+
+import re
+import types
+from pathlib import Path
+
+import pytest
+
+from tutorstudent.core.pipeline import Pipeline
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.sims.pioneer.types import DriveAction
+
+README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "pipelines"
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
+
+
+class Heater:
+    def __init__(self) -> None:
+        self.written: list[float] = []
+
+    def write(self, command: float) -> None:
+        self.written.append(command)
+        if len(self.written) == 10:
+            raise StopIteration
+
+
+def test_the_first_program_runs_as_printed() -> None:
+    heater = Heater()
+    names = {"pid": lambda y: 0.5, "heater": heater, "sensor": types.SimpleNamespace(read=lambda: 20.0)}
+    with pytest.raises(StopIteration):
+        exec(blocks("python")[0], names)
+    assert [0.5 * factor for factor in (1.1, 1.2, *[1.3] * 8)] == pytest.approx(heater.written)
+
+
+def test_the_plugin_is_complete() -> None:
+    names: dict[str, object] = {}
+    exec(blocks("python")[1], names)
+    registry = Registry.discover()
+    (tutor,) = names["tutorstudent_components"]()  # type: ignore[operator]
+    registry.add(tutor)
+    text = "tutor: {use: wall-follower, clearance_m: 0.3}\nstudent: silent\nselector: modifier\nworld: pioneer\n"
+    assert DriveAction is Pipeline(parse_yaml(text, "readme"), registry).engine().tutor.action
+
+
+def test_the_pipeline_is_the_shipped_one() -> None:
+    shipped = Pipeline.read(EXAMPLES / "prototype2a.yaml").document.data
+    assert shipped == parse_yaml(blocks("yaml")[0], "readme").data
+
+
+def test_the_first_screen_comes_before_the_thesis_words() -> None:
+    first = README[: README.index("## Three promises")]
+    assert not re.search(r"\b(tutor|student|ampbit|prototype)\b", first.replace("tutorstudent", ""))
+
+
+def test_every_make_target_that_the_pages_name_exists() -> None:
+    root = Path(__file__).parents[1]
+    targets = set(re.findall(r"^([a-z]+):", (root / "Makefile").read_text(), flags=re.MULTILINE))
+    pages = [root / "README.md", root / "CONTRIBUTING.md", *(root / "docs").rglob("*.md")]
+    named = {name for page in pages for name in re.findall(r"`?make ([a-z]+)`?", page.read_text(encoding="utf-8"))}
+    assert named - {"sure", "it", "a", "the"} <= targets
