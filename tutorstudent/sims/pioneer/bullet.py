@@ -12,9 +12,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.sims.pioneer.body import CENTRE_M, HEIGHT_M, LENGTH_M, WIDTH_M, Pose
 from tutorstudent.sims.pioneer.mesh import Vertex
+from tutorstudent.sims.pioneer.sonar import HEIGHT_M as RAY_HEIGHT_M
 
 CLEARANCE_M = 0.002
 """Two bodies nearer than this touch."""
@@ -69,7 +72,7 @@ class Bullet:
         shape = self.api.createCollisionShape(
             self.api.GEOM_MESH, vertices=vertices, indices=indices, physicsClientId=self._client
         )
-        return self._static(shape, FAILED, WALL, RAY | PHYSICAL, (0.0, 0.0, 0.0))
+        return self._static(shape, FAILED, WALL, RAY | PHYSICAL)
 
     def add_robot_shape(self, colour: Rgba) -> int:
         """Add a Pioneer that rays meet and nothing pushes; its origin is the rotation centre. Return its body."""
@@ -85,14 +88,30 @@ class Bullet:
             rgbaColor=colour,
             physicsClientId=self._client,
         )
-        return self._static(shape, looks, SHAPE, RAY, (0.0, 0.0, 0.0))
+        return self._static(shape, looks, SHAPE, RAY)
 
-    def add_picture(self, size_m: tuple[float, float, float], pose: Pose, colour: Rgba) -> None:
-        """Add a coloured cuboid on the floor that is only seen, never met."""
+    def add_wall_picture(
+        self, vertices: Sequence[Vertex], indices: Sequence[int], normals: Sequence[Vertex], colour: Rgba
+    ) -> None:
+        """Add faces that are only drawn."""
+        looks = self.api.createVisualShape(
+            self.api.GEOM_MESH,
+            vertices=vertices,
+            indices=indices,
+            normals=normals,
+            rgbaColor=colour,
+            physicsClientId=self._client,
+        )
+        self._static(FAILED, looks, 0, 0)
+
+    def add_picture(self, size_m: tuple[float, float, float], pose: Pose, colour: Rgba) -> int:
+        """Add a coloured cuboid on the floor that is only drawn; return its body."""
         looks = self.api.createVisualShape(
             self.api.GEOM_BOX, halfExtents=[side / 2 for side in size_m], rgbaColor=colour, physicsClientId=self._client
         )
-        self.place(self._static(FAILED, looks, 0, 0, (0.0, 0.0, 0.0)), pose, size_m[2] / 2)
+        body = self._static(FAILED, looks, 0, 0)
+        self.place(body, pose, size_m[2] / 2)
+        return body
 
     def place(self, body: int, pose: Pose, height_m: float = 0.0) -> None:
         """Put a body's origin at a pose, upright and at rest."""
@@ -110,6 +129,34 @@ class Bullet:
         hits = self._cast(starts, ends, numThreads=1, physicsClientId=self._client)
         return [hit[2] for hit in hits]
 
+    def render(
+        self, pose: Pose, half_width: float, near_m: float, far_m: float, pixels: tuple[int, int]
+    ) -> tuple[Any, Any]:
+        """Return what a camera on the rotation centre sees: body of each pixel and its depth, m, shape (rows, columns).
+
+        Args:
+            pose: Of the robot.
+            half_width: Tangent of half the horizontal field of view.
+            near_m: Depth at which the image begins.
+            far_m: Depth at which it ends.
+            pixels: Columns and rows; pixels are square.
+        """
+        columns, rows = pixels
+        x, y, heading = pose
+        ahead = [x + math.cos(heading), y + math.sin(heading), RAY_HEIGHT_M]
+        side = half_width * near_m
+        top = side * rows / columns
+        image = self.api.getCameraImage(
+            columns,
+            rows,
+            viewMatrix=self.api.computeViewMatrix([x, y, RAY_HEIGHT_M], ahead, [0.0, 0.0, 1.0]),
+            projectionMatrix=self.api.computeProjectionMatrix(-side, side, -top, top, near_m, far_m),
+            renderer=self.api.ER_TINY_RENDERER,
+            physicsClientId=self._client,
+        )
+        buffer = np.reshape(image[3], (rows, columns))
+        return np.reshape(image[4], (rows, columns)), far_m * near_m / (far_m - (far_m - near_m) * buffer)
+
     def call(self, function: str, *args: Any, **kwargs: Any) -> Any:
         """Call any other function of pybullet on this client."""
         return getattr(self.api, function)(*args, physicsClientId=self._client, **kwargs)
@@ -121,12 +168,11 @@ class Bullet:
         flags = self.api.URDF_USE_INERTIA_FROM_FILE
         return int(self.call("loadURDF", str(path), basePosition=where, baseOrientation=turn, flags=flags))
 
-    def _static(self, shape: int, looks: int, group: int, mask: int, where: tuple[float, float, float]) -> int:
+    def _static(self, shape: int, looks: int, group: int, mask: int) -> int:
         body = self.api.createMultiBody(
             0,
             baseCollisionShapeIndex=shape,
             baseVisualShapeIndex=looks,
-            basePosition=where,
             physicsClientId=self._client,
         )
         self.api.setCollisionFilterGroupMask(body, -1, group, mask, physicsClientId=self._client)

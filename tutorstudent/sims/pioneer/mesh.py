@@ -30,6 +30,23 @@ def prisms(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int]
     return vertices, indices
 
 
+def facades(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int], list[Vertex]]:
+    """Return vertices, indices and normals of the same faces for a renderer: flat, and seen from both sides."""
+    vertices: list[Vertex] = []
+    indices: list[int] = []
+    normals: list[Vertex] = []
+    for outline in outlines:
+        for (x, y), (u, v) in zip(outline, [*outline[1:], outline[0]], strict=True):
+            length = math.hypot(u - x, v - y) or 1.0
+            for side in (1.0, -1.0):
+                first = len(vertices)
+                vertices += [(x, y, 0.0), (u, v, 0.0), (u, v, HEIGHT_M), (x, y, HEIGHT_M)]
+                normals += [(side * (v - y) / length, side * (x - u) / length, 0.0)] * 4
+                corners = (0, 1, 2, 0, 2, 3) if side > 0 else (0, 2, 1, 0, 3, 2)
+                indices += [first + corner for corner in corners]
+    return vertices, indices, normals
+
+
 def circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:
     """Return a regular polygon whose sides keep the circle's radius on average, counter-clockwise."""
     step = math.tau / CIRCLE_SIDES

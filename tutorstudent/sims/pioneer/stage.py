@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.world import Point
-from tutorstudent.sims.pioneer.body import Pose
+from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.bullet import Bullet, Rgba
 from tutorstudent.sims.pioneer.layout import Layout
-from tutorstudent.sims.pioneer.mesh import HEIGHT_M, prisms
+from tutorstudent.sims.pioneer.mesh import HEIGHT_M, facades, prisms
 from tutorstudent.sims.pioneer.motion import FREE, WALLS, KinematicDrive, Shapes
 
 PAINT: dict[str, Rgba] = {
@@ -31,6 +31,7 @@ class Stage:
     Attributes:
         walls: Body of all that never moves.
         shapes: Bodies of the robots.
+        boxes: Bodies that show the boxes, in the scene's order; nothing meets them.
     """
 
     def __init__(self, bullet: Bullet, layout: Layout) -> None:
@@ -39,9 +40,8 @@ class Stage:
         self._layout = layout
         self.walls = bullet.add_walls(*prisms(layout.solids))
         self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
-        for box in layout.boxes:
-            size = (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M)
-            bullet.add_picture(size, Pose(box.x_m, box.y_m, box.heading_rad), PAINT[box.colour])
+        bullet.add_wall_picture(*facades([layout.arena, *layout.islands]), PAINT["grey"])
+        self.boxes = tuple(bullet.add_picture(_size(box), _pose(box), PAINT[box.colour]) for box in layout.boxes)
 
     def refuse_taken(self, poses: Sequence[Pose]) -> None:
         """Raise PipelineError if a robot would start in something solid."""
@@ -69,6 +69,14 @@ class Stage:
         if touched == FREE:
             return ""
         return "it touches a wall or a box" if touched == WALLS else f"it touches '{self._layout.robots[touched].name}'"
+
+
+def _size(box: Rectangle) -> tuple[float, float, float]:
+    return (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M)
+
+
+def _pose(box: Rectangle) -> Pose:
+    return Pose(box.x_m, box.y_m, box.heading_rad)
 
 
 def inside(point: Point, outline: Sequence[Point]) -> bool:

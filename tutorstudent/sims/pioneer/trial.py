@@ -41,7 +41,7 @@ class Trial:
             bullet,
             stage.shapes,
             layout.learner,
-            make_camera(options, bullet, layout),
+            make_camera(options, bullet, layout, stage),
             options,
             stream(seed, f"pioneer.{layout.robots[layout.learner].name}.sonar"),
         )
