@@ -182,6 +182,15 @@ def test_lessons_about_what_was_never_proposed_for_are_told_apart_whatever_their
     assert weights(other) == weights(student)
 
 
+def test_a_lesson_about_another_decision_in_between_is_not_taken_for_the_proposed_one() -> None:
+    student, other = student_of(), student_of()
+    student.propose(moment(0, bits(1)))
+    for about in (moment(5, bits(2)), moment(0, bits(1))):
+        student.teach(lesson(about))
+        other.teach(lesson(about))
+    assert weights(other) == weights(student)
+
+
 def test_a_state_whose_buffer_is_used_again_does_not_fool_it() -> None:
     student, other, buffer = student_of(), student_of(), bits(1)
     about = moment(0, buffer)

@@ -41,6 +41,20 @@ class OddCodec(KindLevelAmpbit):
     proposal = dict
 
 
+class ThriftyCodec(KindLevelAmpbit):
+    """Encodes into one buffer."""
+
+    name = "thrifty"
+
+    def setup(self) -> None:
+        super().setup()
+        self._buffer = np.empty(self.width)
+
+    def encode(self, target: ts.GradedAction[Any]) -> np.ndarray:
+        self._buffer[:] = super().encode(target)
+        return self._buffer
+
+
 def student_of(codec: ts.Codec[Any] | None = None) -> AnyStudent:
     student: AnyStudent = TableStudent(encoder=Pair(), codec=codec or KindLevelAmpbit())
     student.bind(Binding(seed=7, slot="student", action=DriveAction))
@@ -79,6 +93,13 @@ def test_it_equals_a_dictionary_over_many_lessons() -> None:
         known[state] = (int(rng.integers(8)), bool(rng.integers(2)))
         student.teach(lesson(state, "left", *known[state], number))
     assert len(known) == len(student.state_dict()["inputs"])
+
+
+def test_a_codec_that_uses_its_buffer_again_does_not_fool_it() -> None:
+    student = student_of(ThriftyCodec())
+    student.teach(lesson((0.0, 1.0), "left", 3, True, 0))
+    student.teach(lesson((1.0, 1.0), "right", 5, False, 1))
+    assert ts.KindProposal(kind="left", level=3, ampbit=True) == student.propose(moment((0.0, 1.0), 2))
 
 
 def test_zero_and_minus_zero_are_one_number() -> None:
