@@ -7,10 +7,14 @@ from typing import Any
 
 from tutorstudent.core.actions import Action
 from tutorstudent.core.component import Field, Options
+from tutorstudent.core.engine import Engine
 from tutorstudent.core.interfaces import Student, Tutor
 from tutorstudent.core.leaves import Condition
 from tutorstudent.core.proposals import KindProposal, LevelProposal
 from tutorstudent.core.records import Lesson, Moment
+from tutorstudent.plugins.amplifiers import Never
+from tutorstudent.plugins.evaluators import Conditions
+from tutorstudent.plugins.streamlined.modifier import Modifier
 from tutorstudent.sims.pioneer.types import DriveAction
 
 
@@ -121,3 +125,21 @@ def level(number: int, ampbit: bool = False) -> LevelStudent:
     """Return a student that always proposes the same."""
     said = LevelProposal(level=number, ampbit=ampbit)
     return LevelStudent(propose=lambda moment: said)
+
+
+def engine(act: Callable[[Any], Any], student: LevelStudent, **others: Any) -> Engine[Any, Any, Any]:
+    """Return an engine of the streamlined algorithm that raises nothing; `others` replace its parts."""
+    parts: dict[str, Any] = {
+        "tutor": ScriptedTutor(act=act),
+        "student": student,
+        "selector": Modifier(),
+        "amplifier": Never(),
+        "evaluator": Conditions(),
+    }
+    return Engine(**{**parts, **others})
+
+
+def forward(translation: float, rotation: float = 0.0) -> Callable[[Any], DriveAction]:
+    """Return a tutor's script that always says the same."""
+    action = DriveAction(kind="forward", translation=translation, rotation=rotation)
+    return lambda state: action
