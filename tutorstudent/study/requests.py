@@ -1,0 +1,104 @@
+"""What a person asks to be compared, as plain values: files, settings, and what makes an environment."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.pipeline import Pipeline
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.yamlfile import parse_yaml
+
+
+class Setting(NamedTuple):
+    """One value for a dotted key of a pipeline, as in ``world.scene=cave-box``."""
+
+    text: str
+    """As it was written, for messages."""
+    key: str
+    value: Any
+
+    @property
+    def label(self) -> str:
+        """A word for an environment: the value itself where it is a word, else with its key."""
+        if isinstance(self.value, str):
+            return slug(Path(self.value).stem if "/" in self.value else self.value)
+        return slug(f"{self.key.rpartition('.')[2]}-{self.value}")
+
+    def apply(self, pipeline: Pipeline) -> Pipeline:
+        """Return the pipeline with this value.
+
+        Raises:
+            PipelineError: if the key leads through something that is no mapping, or the pipeline has no such key.
+        """
+        node: Any = pipeline.document.data
+        for key in self.key.split(".")[:-1]:
+            node = node.get(key, {})
+            if isinstance(node, str):
+                node = {"use": node}
+            if not isinstance(node, dict):
+                name = pipeline.document.name
+                raise PipelineError(f"{self.text}: '{key}' is {node!r} in {name}, not a mapping; set '{key}' itself.")
+        return pipeline.replaced({self.key: self.value})
+
+
+def slug(text: str) -> str:
+    """Return a text as a word that names a folder.
+
+    >>> slug("../my scene.yaml")
+    'my-scene.yaml'
+    """
+    return re.sub(r"[^\w.+-]+", "-", text).strip("-.") or "unnamed"
+
+
+def read_setting(option: str, text: str) -> Setting:
+    """Read ``key=value``; the value is YAML."""
+    key, value = _halves(option, text)
+    return Setting(f"{option} {text}", key, parse_yaml(value, f"{option} {text}").data)
+
+
+def read_variation(option: str, text: str) -> list[Setting]:
+    """Read ``key=value,value,...`` into one setting for each value.
+
+    Raises:
+        PipelineError: if there is no value, or one twice.
+    """
+    key, values = _halves(option, text)
+    found = parse_yaml(f"[{values}]", f"{option} {text}").data
+    settings = [Setting(f"{option} {key}={value}", key, value) for value in found]
+    if not settings:
+        raise PipelineError(f"{option} {text}: there are no values; write them with commas, as in {key}=a,b.")
+    labels = [setting.label for setting in settings]
+    twice = next((label for label in labels if labels.count(label) > 1), None)
+    if twice is not None:
+        raise PipelineError(f"{option} {text}: two environments would be named '{twice}'; give each value once.")
+    return settings
+
+
+def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipeline]:
+    """Read the pipelines by name: each is named after its file.
+
+    Raises:
+        PipelineError: if there is none, one cannot be read, or two have one name.
+    """
+    if not paths:
+        raise PipelineError("compare: there is no pipeline; give at least one YAML file.")
+    found: dict[str, tuple[Path, Pipeline]] = {}
+    for path in paths:
+        name = slug(path.stem)
+        if name in found:
+            raise PipelineError(
+                f"compare: {found[name][0]} and {path} would both be named '{name}'; rename one of the files."
+            )
+        found[name] = path, Pipeline.read(path, registry)
+    return {name: pipeline for name, (_, pipeline) in found.items()}
+
+
+def _halves(option: str, text: str) -> tuple[str, str]:
+    key, equals, value = text.partition("=")
+    if not equals or not key.strip():
+        raise PipelineError(f"{option} {text}: write key=value, as in {option} world.scene=cave-box.")
+    return key.strip(), value

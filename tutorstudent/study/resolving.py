@@ -1,0 +1,86 @@
+"""A pipeline with every value written out, and when two of them are the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import closing
+from typing import Any, NamedTuple
+
+from tutorstudent.core.observers import Entries
+from tutorstudent.core.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.runner import check_world, trial_seed
+from tutorstudent.core.world import Sketch
+from tutorstudent.core.yamlfile import Document
+
+Values = Mapping[str, Any]
+ALONE = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
+"""What makes a difference where nothing is amplified."""
+
+
+class Resolved(NamedTuple):
+    """What a pipeline says, defaults included."""
+
+    values: dict[str, Any]
+    amount: float
+    """Amplification per level."""
+    change: dict[str, Any]
+    """How an amplification becomes a distance."""
+    counters: dict[str, str]
+    """What its observers count, such as ``attractors``, and the situation whose entries that is."""
+
+
+def resolve(pipeline: Pipeline) -> Resolved:
+    """Build the whole pipeline once, so that mistakes are found before anything runs, and write its values out.
+
+    Raises:
+        TutorStudentError: if it cannot be built; the message says where and what to do.
+    """
+    with closing(pipeline.engine()) as engine:
+        action = engine.tutor.action
+        observers = pipeline.observers(action)
+        with closing(pipeline.world(action)) as world:
+            check_world(engine, world)
+            return Resolved(
+                describe(engine, world, pipeline),
+                engine.amplifier.amount,
+                engine.amplifier.change.describe(),
+                {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
+            )
+
+
+def completed(name: str, values: Values, registry: Registry) -> dict[str, Any]:
+    """Return the values with the defaults of the engine's parts filled in."""
+    with closing(reread(name, values, registry).engine()) as engine:
+        return dict(values) | {slot: getattr(engine, slot).describe() for slot in SLOTS}
+
+
+def reread(name: str, values: Values, registry: Registry) -> Pipeline:
+    """Return the pipeline that the values stand for."""
+    return Pipeline(Document(name, dict(values), {}), registry)
+
+
+def sketch_of(pipeline: Pipeline) -> Sketch:
+    """Return a drawing of the pipeline's world at the beginning of a run."""
+    with closing(pipeline.engine()) as engine, closing(pipeline.world(engine.tutor.action)) as world:
+        world.reset(trial_seed(pipeline.header.seed, 0))
+        return world.sketch()
+
+
+def is_tutor_alone(values: Values) -> bool:
+    """Return whether resolved values can never amplify anything."""
+    return bool(values["student"]["use"] == "silent" and values["amplifier"]["use"] == "never")
+
+
+def same(one: Values, other: Values) -> bool:
+    """Return whether two resolved pipelines do the same, whatever their seed and number of decisions.
+
+    A tutor that is never amplified is one and the same with any selector, evaluator, amount and limits.
+    """
+    return _essence(one) == _essence(other)
+
+
+def _essence(values: Values) -> dict[str, Any]:
+    if is_tutor_alone(values):
+        return {key: values[key] for key in ALONE}
+    return {key: value for key, value in values.items() if key not in ("seed", "decisions")}

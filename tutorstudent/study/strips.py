@@ -1,0 +1,59 @@
+"""Every run as a dot: the end of each run for each variant and control."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+
+from tutorstudent.study.palette import Palette
+from tutorstudent.study.svg import STYLE, sheet, svg
+
+WIDTH_PX, ROW_PX, MARGIN_PX, LETTER_PX = 420, 26, 56, 5.6
+LINEAR_UP_TO = 10.0
+LOGARITHMIC_FROM = 100.0
+TICKS = [0, 2, 5, *(step * 10**power for power in range(1, 9) for step in (1, 2, 5))]
+
+
+def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -> str:
+    """Return an SVG with a row for each variant, a dot for each run and a bar at the median.
+
+    Numbers with a long tail are drawn on a logarithmic scale beyond 10; the axis says so.
+    """
+    with mpl.rc_context(STYLE):
+        left_px = min(LETTER_PX * max(len(name) for name in values) + 14, WIDTH_PX / 2)
+        figure, axes = sheet(WIDTH_PX, MARGIN_PX + ROW_PX * len(values), left_px=left_px, bottom_px=36)
+        for row, (name, numbers) in enumerate(values.items()):
+            _draw_row(axes, row, numbers, palette.drawn(name))
+        axes.set_yticks(range(len(values)), list(values))
+        axes.set_ylim(len(values) - 0.4, -0.6)
+        axes.tick_params(axis="y", length=0)
+        axes.grid(axis="x", linewidth=0.5, alpha=0.5)
+        _scale(axes, title, [number for numbers in values.values() for number in numbers])
+        return svg(figure, f"{title}, every run. {_alt(values)}.", palette.stand_ins())
+
+
+def _draw_row(axes: Axes, row: int, numbers: Sequence[float], colour: str) -> None:
+    # Dots of equal value would hide each other; neighbours in the list are moved apart, the same way every time.
+    heights = row + 0.28 * np.sin(np.arange(len(numbers)) * 2.4)
+    axes.plot(numbers, heights, "o", color=colour, markersize=5, alpha=0.75, markeredgewidth=0, clip_on=False)
+    if numbers:
+        middle = float(np.median(numbers))
+        axes.plot([middle, middle], [row - 0.38, row + 0.38], color=colour, linewidth=2.2)
+
+
+def _scale(axes: Axes, title: str, numbers: Sequence[float]) -> None:
+    axes.set_xlabel(title)
+    highest = max(numbers, default=1.0)
+    if highest > LOGARITHMIC_FROM and highest > 8 * np.median(numbers):
+        axes.set_xscale("symlog", linthresh=LINEAR_UP_TO)
+        axes.set_xticks([tick for tick in TICKS if tick <= highest])
+        axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        axes.set_xlabel(f"{title} (logarithmic beyond {LINEAR_UP_TO:g})")
+    axes.set_xlim(min(0.0, *numbers, 0.0), max(highest, 1.0) * 1.03)
+
+
+def _alt(values: Mapping[str, Sequence[float]]) -> str:
+    return "; ".join(f"{name}: {', '.join(f'{number:.4g}' for number in numbers)}" for name, numbers in values.items())
