@@ -74,18 +74,18 @@ def _sentences(error: ValidationError, data: Any, path: Path) -> Iterator[str]:
 
 def _keys(loc: tuple[int | str, ...], data: Any) -> Iterator[str]:
     """Yield the keys of a location as they stand in the file; the names of alternatives are not in it."""
-    for key in loc:
-        if isinstance(data, Mapping | list):
-            if key in ALTERNATIVES and not (isinstance(data, Mapping) and key in data):
-                continue
-            data = _item(data, key)
+    for i, key in enumerate(loc):
+        known = isinstance(data, Mapping) and key in data
+        if i > 0 and key in ALTERNATIVES and not known:
+            continue
+        data = _item(data, key)
         yield str(key)
 
 
-def _item(data: Mapping[Any, Any] | list[Any], key: int | str) -> Any:
+def _item(data: Any, key: int | str) -> Any:
     if isinstance(data, Mapping):
         return data.get(key)
-    return data[key] if isinstance(key, int) and key < len(data) else None
+    return data[key] if isinstance(data, list) and isinstance(key, int) and key < len(data) else None
 
 
 def _problem(key: str, item: Any) -> str:

@@ -1,6 +1,7 @@
 """The ring of 16 sonars: single rays of 5 m (Thesis 4.1; poses of Stage 1.3 and Pyro).
 
-A ray starts where it leaves the robot's own body, so that it never meets it, and the range is counted from the sonar.
+A ray starts inside the robot's own body, which it does not meet from there, and the range is counted from the sonar. It
+does not start at the sonar itself: the front ones stand before the body, and may stand in a wall.
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ SONARS: tuple[tuple[float, float, float], ...] = (
 )
 """x (m, forward), y (m, left), yaw (degrees, counter-clockwise) of each sonar."""
 
-SKIN_M = 0.001
-"""A ray starts this far outside the body; half of what a refused step keeps free."""
+INSET_M = 0.03
+"""A ray starts this far inside the body; more than bodies under force ever press into a wall."""
 HEIGHT_M = 0.1
 """Height of the rays."""
 BLOCK = 256
@@ -56,7 +57,7 @@ class SonarRing:
         x, y, degrees = np.array([SONARS[i] for i in sonars]).T
         yaw = np.deg2rad(degrees)
         self._range_m = range_m
-        self._skip = np.array([_edge(*SONARS[i]) + SKIN_M for i in sonars])
+        self._skip = np.array([_edge(*SONARS[i]) - INSET_M for i in sonars])
         self._span = range_m - self._skip
         self._starts = _homogeneous(x + self._skip * np.cos(yaw), y + self._skip * np.sin(yaw))
         self._ends = _homogeneous(x + range_m * np.cos(yaw), y + range_m * np.sin(yaw))

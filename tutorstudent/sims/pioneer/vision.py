@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from tutorstudent.sims.pioneer.body import CENTRE_M, LENGTH_M, WIDTH_M, Pose, Rectangle
-from tutorstudent.sims.pioneer.sonar import HEIGHT_M, SKIN_M
+from tutorstudent.sims.pioneer.sonar import HEIGHT_M, INSET_M
 from tutorstudent.sims.pioneer.types import Blob
 
 SHORT_M = 0.01
@@ -134,8 +134,9 @@ def _ray(thing: _Placed, bearing: float, camera: tuple[float, float, float, floa
     x, y, cos, sin = camera
     ahead, aside = math.cos(bearing), math.sin(bearing)
     surface = _surface_m(thing, ahead, aside)
-    near = SKIN_M + (FRONT_M / ahead if abs(aside) * FRONT_M <= ahead * WIDTH_M / 2 else WIDTH_M / 2 / abs(aside))
-    far = max(surface - SHORT_M, near + SKIN_M)
+    near = FRONT_M / ahead if abs(aside) * FRONT_M <= ahead * WIDTH_M / 2 else WIDTH_M / 2 / abs(aside)
+    near -= INSET_M
+    far = max(surface - SHORT_M, near)
     dx, dy = ahead * cos - aside * sin, aside * cos + ahead * sin
     return surface, (x + near * dx, y + near * dy, HEIGHT_M), (x + far * dx, y + far * dy, HEIGHT_M)
 
