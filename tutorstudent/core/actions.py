@@ -29,6 +29,8 @@ class ComponentSpec(NamedTuple):
     scale: float
     neutral: float
     unit: str
+    number: bool
+    """Whether it is declared as a float."""
 
 
 class Group(NamedTuple):
@@ -150,30 +152,32 @@ def _spec(name: str, info: FieldInfo) -> ComponentSpec:
     scale = declared.get("scale")
     if scale is None:
         scale = max(abs(low), abs(high))
-    return ComponentSpec(name, low, high, float(scale), float(declared.get("neutral", 0.0)), declared.get("unit", ""))
-
-
-def _groups(cls: type[Action], kind: str, specs: Mapping[str, ComponentSpec]) -> tuple[Group, ...]:
-    return tuple(
-        _group(cls, kind, (key,) if isinstance(key, str) else key, direction, specs)
-        for key, direction in cls.amplification.get(kind, {}).items()
+    return ComponentSpec(
+        name,
+        low,
+        high,
+        float(scale),
+        float(declared.get("neutral", 0.0)),
+        declared.get("unit", ""),
+        info.annotation is float,
     )
 
 
-def _group(
-    cls: type[Action], kind: str, names: tuple[str, ...], direction: Direction, specs: Mapping[str, ComponentSpec]
-) -> Group:
+def _groups(cls: type[Action], kind: str, specs: Mapping[str, ComponentSpec]) -> tuple[Group, ...]:
     where = f"action class {cls.__name__}, kind '{kind}'"
+    keys = {(key,) if isinstance(key, str) else tuple(key): d for key, d in cls.amplification.get(kind, {}).items()}
+    named = [name for names in keys for name in names]
+    doubled = [name for name in named if named.count(name) > 1]
+    if doubled:
+        raise ContractError(f"{where}: the component '{doubled[0]}' is amplified twice; name it once.")
+    return tuple(_group(where, names, direction, specs) for names, direction in keys.items())
+
+
+def _group(where: str, names: tuple[str, ...], direction: Direction, specs: Mapping[str, ComponentSpec]) -> Group:
+    if not names:
+        raise ContractError(f"{where}: a vector without components; its components are {listing(specs)}.")
     for name in names:
-        if name not in specs:
-            raise ContractError(
-                f"{where}: amplification names the component '{name}'{suggestion(name, specs)}; "
-                f"its components are {listing(specs)}."
-            )
-        if not math.isfinite(specs[name].scale) or specs[name].scale <= 0:
-            raise ContractError(
-                f"{where}: the component '{name}' has no finite scale; give it bounds or component(..., scale=...)."
-            )
+        _check_movable(where, name, specs)
     if direction not in get_args(Direction):
         raise ContractError(f"{where}: direction {direction!r} of '{names[0]}'; allowed are '+', '-' and 'outward'.")
     if len(names) > 1 and direction != "outward":
@@ -187,3 +191,22 @@ def _group(
         tuple(spec.high for spec in chosen),
         tuple(spec.neutral for spec in chosen),
     )
+
+
+def _check_movable(where: str, name: str, specs: Mapping[str, ComponentSpec]) -> None:
+    if name not in specs:
+        raise ContractError(
+            f"{where}: amplification names the component '{name}'{suggestion(name, specs)}; "
+            f"its components are {listing(specs)}."
+        )
+    spec = specs[name]
+    if not math.isfinite(spec.scale) or spec.scale <= 0:
+        raise ContractError(
+            f"{where}: the component '{name}' has no finite scale; give it bounds or component(..., scale=...)."
+        )
+    if not spec.low <= spec.neutral <= spec.high:
+        raise ContractError(
+            f"{where}: the component '{name}' has the neutral {spec.neutral}; it lies in [{spec.low}, {spec.high}]."
+        )
+    if not spec.number:
+        raise ContractError(f"{where}: the component '{name}' is no float; only numbers are amplified.")

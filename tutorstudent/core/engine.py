@@ -16,7 +16,7 @@ from tutorstudent.core.actions import ActionT, Group
 from tutorstudent.core.component import Binding, Component, EnginePart, Learned
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.grading import Graded, Grader
-from tutorstudent.core.guard import Guard, OnIncident, replica
+from tutorstudent.core.guard import Guard, OnIncident, checked_replica, replica, sealed
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.judging import Judge
 from tutorstudent.core.leaves import Condition
@@ -24,7 +24,7 @@ from tutorstudent.core.levels import Executed, LevelLimiter, reached_level
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.proposals import ProposalT, exact_level
 from tutorstudent.core.records import Decision, Incident, Moment, StateT, Turn
-from tutorstudent.core.rendering import render
+from tutorstudent.core.rendering import Permitted, render
 from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
 from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
@@ -162,16 +162,14 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             raise ContractError(
                 f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
             )
-        decision, original, _, groups = self._pending
-        level = reached_level(original, groups, action, decision.resulting.level, self._levels)
-        if level is None:
-            self._void = "something else was executed"
-            level = 0
+        decision, original, _, groups, seals = self._pending
+        own, record = checked_replica(action, "executed()"), replica(action)
+        level, permitted = self._reached(self._pending, own)
         selected = decision.selected._replace(level=min(level, decision.selected.level))
         resulting = decision.resulting._replace(level=level)
-        decision = decision._replace(selected=selected, resulting=resulting, executed=replica(action))
-        self._pending = self._pending._replace(decision=decision, executed=replica(action))
-        self._levels.previous = Executed(original.kind, self._levels.permit(level, original, groups))
+        decision = decision._replace(selected=selected, resulting=resulting, executed=record)
+        self._pending = Pending(decision, original, own, groups, (seals[0], sealed(record)))
+        self._levels.previous = Executed(original.kind, permitted)
 
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
@@ -182,6 +180,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """Forget the pending decision without judging it (a trial that was cut off)."""
         if self._pending is not None:
             pending, self._pending = self._pending, None
+            self._judge.forget()
             self._seat.tell(pending.decision.moment.number, pending.decision.executed)
             self.last = Turn(pending.decision, None, None, tuple(self._guard.turn), self._void or "dropped")
         self._void = ""
@@ -217,6 +216,20 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             else:
                 raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
 
+    def _reached(self, pending: Pending, executed: ActionT) -> tuple[int, Permitted]:
+        decision, original, groups = pending.decision, pending.original, pending.groups
+        try:
+            level = reached_level(original, groups, executed, decision.resulting.level, self._levels)
+            if level is not None:
+                return level, self._levels.permit(level, original, groups)
+            self._void = "something else was executed"
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self._void = "the executed level could not be told"
+            self._guard.record(decision.moment.number, "amplifier", error)
+        return 0, Permitted(0, (0.0,) * len(groups))
+
     def _remember(
         self,
         moment: Moment[StateT, ActionT],
@@ -230,5 +243,5 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             moment = moment._replace(tutor_action=shown)
         record = shown if action is original else replica(action)
         decision = Decision(moment, graded.selected, graded.resulting, record, graded.proposal)
-        self._pending = Pending(decision, original, action, groups)
+        self._pending = Pending(decision, original, action, groups, (sealed(shown), sealed(record)))
         self._levels.previous = Executed(original.kind, graded.permitted)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Generic, NamedTuple
 
 from tutorstudent.core.actions import ActionT, Group
-from tutorstudent.core.guard import Breach, Guard, check_intact, received, replica
+from tutorstudent.core.guard import Breach, Guard, check_intact, received, replica, sealed
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Student
 from tutorstudent.core.levels import LevelLimiter
 from tutorstudent.core.proposals import Proposal, ProposalT
@@ -40,20 +40,21 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
     def grade(self, moment: Moment[StateT, ActionT], original: ActionT, groups: tuple[Group, ...]) -> Graded[ActionT]:
         """Return what is selected and what results for this moment."""
         shown, part = moment.tutor_action, "student"
+        seal = sealed(shown)
         try:
             proposal = self._student.propose(moment)
-            check_intact(shown, original)
+            check_intact(shown, seal)
             if type(proposal) is not self._proposal:
                 raise Breach(
                     "wrong-return", f"propose() returned {type(proposal).__name__}; return {self._proposal.__name__}."
                 )
             part = "selector"
-            selected = received(self._selector.select(shown, proposal), shown, original)
+            selected = received(self._selector.select(shown, proposal), shown, seal)
             part = "amplifier"
             level = self._levels.select(selected.level, original, groups)
             if level != selected.level:
                 selected = GradedAction(shown, level, selected.ampbit)
-            resulting = received(self._amplifier.amplify(selected, moment.number), shown, original)
+            resulting = received(self._amplifier.amplify(selected, moment.number), shown, seal)
             level, permitted = self._levels.result(level, resulting.level, original, groups)
         except KeyboardInterrupt:
             raise

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import operator
 from collections import Counter, deque
 from collections.abc import Callable
 from typing import Any, Literal
+
+from pydantic import ValidationError
 
 from tutorstudent.core.actions import Action, ActionT
 from tutorstudent.core.errors import ContractError
@@ -13,6 +16,9 @@ from tutorstudent.core.records import GradedAction, Incident
 
 OnIncident = Literal["continue", "raise"]
 REMEMBERED = 1000
+
+Seal = tuple[object, ...]
+"""The very objects that an action holds."""
 
 
 class Breach(Exception):
@@ -74,16 +80,33 @@ def replica(action: ActionT) -> ActionT:
     return type(action)(**{name: values[name] for name in action.vocabulary.fields})
 
 
-def check_intact(shown: Action, original: Action) -> None:
-    """Raise a `Breach` if the copy that parts were shown no longer says what the original says."""
-    copy, own = shown.__dict__, original.__dict__
-    if copy != own and any(copy.get(name) != own[name] for name in original.vocabulary.fields):
-        raise Breach("mutated", "the tutor's action was changed; records are for reading.")
+def checked_replica(action: ActionT, what: str) -> ActionT:
+    """Return a validated copy of an action that somebody handed in; raises ContractError if it is not sound."""
+    try:
+        return replica(action)
+    except (ValidationError, KeyError) as error:
+        problem = error.errors(include_url=False)[0]["msg"] if isinstance(error, ValidationError) else f"no {error}"
+        raise ContractError(f"{what}: the {type(action).__name__} is not sound: {problem}.") from None
 
 
-def received(graded: Any, shown: ActionT, original: ActionT) -> GradedAction[ActionT]:
+def sealed(action: Action) -> Seal:
+    """Return what an action holds, to tell later whether it still holds the same."""
+    return tuple(action.__dict__.values())
+
+
+def check_intact(shown: Action, seal: Seal) -> None:
+    """Raise a `Breach` if the copy that parts were shown was changed.
+
+    Objects are compared, not values: what was put there in place of a number may lie about being equal.
+    """
+    held = shown.__dict__
+    if len(held) < len(seal) or not all(map(operator.is_, held.values(), seal)):
+        raise Breach("mutated", "the action was changed; records are for reading.")
+
+
+def received(graded: Any, shown: ActionT, seal: Seal) -> GradedAction[ActionT]:
     """Return a part's graded action with plain values, round the action that the part was shown."""
-    check_intact(shown, original)
+    check_intact(shown, seal)
     if type(graded) is not GradedAction:
         raise Breach("wrong-return", f"returned {type(graded).__name__}; return a GradedAction.")
     if graded.action is not shown and graded.action != shown:

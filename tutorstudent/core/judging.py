@@ -11,7 +11,7 @@ from typing import Any, Generic
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.guard import Breach, Guard
 from tutorstudent.core.leaves import Condition
-from tutorstudent.core.proposals import exact_bit
+from tutorstudent.core.proposals import exact_bit, exact_number
 from tutorstudent.core.records import Margins, Outcome, StateT
 
 NO_MARGINS: Margins = MappingProxyType({})
@@ -63,7 +63,7 @@ def _violated(condition: Condition[Any], state: Any) -> bool:
 
 
 def _margins(found: Sequence[float]) -> tuple[float, ...]:
-    margins = tuple(float(margin) for margin in found)
+    margins = tuple(map(exact_number, found))
     if any(math.isnan(margin) for margin in margins):
         raise Breach("not-finite", "margins() returned NaN; a condition whose margin is unknown counts as violated.")
     return margins

@@ -7,7 +7,16 @@ from typing import Any, NamedTuple
 from tutorstudent.core.actions import Action, Group
 from tutorstudent.core.interfaces import Amplifier
 from tutorstudent.core.limits import Limits
-from tutorstudent.core.rendering import Permitted, can_move, moved, permitted, progress, within
+from tutorstudent.core.rendering import (
+    Fractions,
+    Permitted,
+    can_move,
+    exact_fraction,
+    magnitudes,
+    moved,
+    permitted,
+    progress,
+)
 
 _ROUNDING = 1e-9
 
@@ -28,12 +37,19 @@ class LevelLimiter:
 
     def __init__(self, limits: Limits, amplifier: Amplifier[Any]) -> None:
         self._limits = limits
-        self._amplifier = amplifier
+        self._change = amplifier.change
+        self._amount = amplifier.amount
         self.previous: Executed | None = None
 
     def permit(self, level: int, original: Action, groups: tuple[Group, ...]) -> Permitted:
         """Return the highest level up to `level` that cap and factor allow."""
-        return permitted(level, groups, original.__dict__, self._fraction, self._limits)
+        values, change, amount = original.__dict__, self._change, self._amount
+        sizes = magnitudes(groups, values) if level else ()
+
+        def fractions_at(level: int) -> Fractions:
+            return tuple([exact_fraction(change.fraction(level * amount, size)) for size in sizes])
+
+        return permitted(level, groups, values, fractions_at, self._limits)
 
     def select(self, level: int, original: Action, groups: tuple[Group, ...]) -> int:
         """Return what the limits leave of a selected level."""
@@ -50,8 +66,7 @@ class LevelLimiter:
         if resulting > selected and not can_move(groups, original.__dict__):
             resulting = selected
         result = self.permit(min(resulting, self._ceiling(original.kind, resulting)), original, groups)
-        floor = self._floor(original.kind)
-        if floor > result.level:
+        if self._limits.slew is not None and (floor := self._floor(original.kind)) > result.level:
             result = self.permit(floor, original, groups)
             selected = max(selected, result.level)
         return selected, result
@@ -61,15 +76,15 @@ class LevelLimiter:
 
         The way down reuses the distances that were last executed, since the amplifier may be what is broken.
         """
-        floor, nothing = self._floor(original.kind), Permitted(0, (0.0,) * len(groups))
+        floor = self._floor(original.kind)
         if floor == 0 or self.previous is None:
-            return nothing
+            return Permitted(0, (0.0,) * len(groups))
         last = self.previous.permitted
-        fractions = tuple(fraction * floor / last.level for fraction in last.fractions)
-        return Permitted(floor, fractions) if within(fractions, groups, original.__dict__, self._limits) else nothing
 
-    def _fraction(self, level: int, magnitude: float) -> float:
-        return self._amplifier.change.fraction(level * self._amplifier.amount, magnitude)
+        def fractions_at(level: int) -> Fractions:
+            return tuple([fraction * level / last.level for fraction in last.fractions])
+
+        return permitted(floor, groups, original.__dict__, fractions_at, self._limits)
 
     def _last_level(self, kind: str) -> int:
         return self.previous.permitted.level if self.previous is not None and self.previous.kind == kind else 0
@@ -86,34 +101,36 @@ def reached_level(
 ) -> int | None:
     """Return the highest level up to `level` that an executed action reached.
 
-    None if it is not an amplification of the tutor's action at all: another kind, other components changed, less than
-    the tutor's own action, or more than was asked for.
+    None if it is not an amplification of the tutor's action at all: another kind, other components changed, another
+    direction, less than the tutor's own action, or more than was asked for.
     """
     own, done = original.__dict__, executed.__dict__
     movable = {name for group in groups for name in group.names}
-    if executed.kind != original.kind or any(
-        done[name] != own[name] for name in original.vocabulary.fields if name not in movable
-    ):
+    if any(done[name] != own[name] for name in original.vocabulary.fields if name not in movable):
         return None
-    if any(not _between(group, own, done, 0.0, f) for group, f in _with(level, original, groups, levels)):
+    ways = [progress(group, own, done) for group in groups]
+    if any(way is None or way < -_ROUNDING for way in ways):
+        return None
+    if not _reached(ways, _progress_of(level, original, groups, levels), at_most=True):
         return None
     return next(
         lower
         for lower in range(level, -1, -1)
-        if all(_between(group, own, done, f, float("inf")) for group, f in _with(lower, original, groups, levels))
+        if _reached(ways, _progress_of(lower, original, groups, levels), at_most=False)
     )
 
 
-def _with(level: int, original: Action, groups: tuple[Group, ...], levels: LevelLimiter) -> list[tuple[Group, float]]:
-    return list(zip(groups, levels.permit(level, original, groups).fractions, strict=True))
+def _progress_of(level: int, original: Action, groups: tuple[Group, ...], levels: LevelLimiter) -> list[float]:
+    own, fractions = original.__dict__, levels.permit(level, original, groups).fractions
+    ends = [
+        dict(zip(group.names, moved(group, own, fraction), strict=True))
+        for group, fraction in zip(groups, fractions, strict=True)
+    ]
+    return [progress(group, own, end) or 0.0 for group, end in zip(groups, ends, strict=True)]
 
 
-def _between(group: Group, own: dict[str, float], done: dict[str, float], low: float, high: float) -> bool:
-    slack = _ROUNDING * group.scale
-    ends = dict(zip(group.names, moved(group, own, low), strict=True))
-    if progress(group, own, done) < progress(group, own, ends) - slack:
-        return False
-    if high == float("inf"):
-        return True
-    ends = dict(zip(group.names, moved(group, own, high), strict=True))
-    return progress(group, own, done) <= progress(group, own, ends) + slack
+def _reached(ways: list[float | None], marks: list[float], *, at_most: bool) -> bool:
+    pairs = [(way or 0.0, mark) for way, mark in zip(ways, marks, strict=True)]
+    if at_most:
+        return all(way <= mark + _ROUNDING for way, mark in pairs)
+    return all(way >= mark - _ROUNDING for way, mark in pairs)

@@ -6,6 +6,7 @@ and strings are not.
 
 from __future__ import annotations
 
+import math
 import operator
 from typing import Annotated, Any, TypeVar
 
@@ -20,6 +21,15 @@ def exact_level(value: Any) -> int:
     (3, 1)
     """
     return value if type(value) is int else int.__add__(operator.index(value), 0)
+
+
+def exact_number(value: Any) -> float:
+    """Return `value` as a plain float; what is no number (a string, say) raises TypeError.
+
+    >>> exact_number(np.float32(0.5)), exact_number(1)
+    (0.5, 1.0)
+    """
+    return math.ldexp(value, 0)  # unlike float(), it reads no strings
 
 
 def exact_bit(value: Any) -> bool:

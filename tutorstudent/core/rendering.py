@@ -12,14 +12,11 @@ from typing import NamedTuple
 
 from tutorstudent.core.actions import ActionT, Group
 from tutorstudent.core.limits import Limits
+from tutorstudent.core.proposals import exact_number
 
 Fractions = tuple[float, ...]
 """One distance for each group of the action's kind, in units of the group's scale."""
 
-FractionOf = Callable[[int, float], float]
-"""(level, magnitude) -> fraction; magnitude is the tutor's own distance from neutral in units of the scale."""
-
-NOTHING: Fractions = ()
 # 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant.
 _ROUNDING = 1e-9
 
@@ -62,31 +59,32 @@ def _moved_vector(group: Group, values: list[float], distance: float) -> tuple[f
     length = math.hypot(*arm)
     if length == 0:
         return tuple(values)
-    stretch = 1 + distance / length
-    for part, neutral, low, high in zip(arm, group.neutral, group.low, group.high, strict=True):
+    heading = [part / length for part in arm]
+    for value, part, low, high in zip(values, heading, group.low, group.high, strict=True):
         if part:
-            stretch = min(stretch, ((high if part > 0 else low) - neutral) / part)
-    stretch = max(stretch, 1.0)
-    ends = [neutral + part * stretch for part, neutral in zip(arm, group.neutral, strict=True)]
+            distance = min(distance, ((high if part > 0 else low) - value) / part)
+    ends = [value + part * distance for value, part in zip(values, heading, strict=True)]
     return tuple(min(max(end, low), high) for end, low, high in zip(ends, group.low, group.high, strict=True))
 
 
 def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -> ActionT:
     """Return the tutor's action with every group moved by its fraction; the original itself where nothing moves."""
     values = original.__dict__
-    changes = {
-        name: value
-        for group, fraction in zip(groups, fractions, strict=True)
-        if fraction > 0
-        for name, value in zip(group.names, moved(group, values, fraction), strict=True)
-    }
-    if not changes:
+    changed: dict[str, float] = {}
+    for group, fraction in zip(groups, fractions, strict=True):
+        if fraction > 0:
+            changed.update(zip(group.names, moved(group, values, fraction), strict=True))
+    if not changed:
         return original
-    return type(original)(**{name: changes.get(name, values[name]) for name in original.vocabulary.fields})
+    return type(original)(**{name: changed.get(name, values[name]) for name in original.vocabulary.fields})
 
 
 def permitted(
-    level: int, groups: tuple[Group, ...], values: Mapping[str, float], fraction_of: FractionOf, limits: Limits
+    level: int,
+    groups: tuple[Group, ...],
+    values: Mapping[str, float],
+    fractions_at: Callable[[int], Fractions],
+    limits: Limits,
 ) -> Permitted:
     """Return the highest level up to `level` that cap and factor allow.
 
@@ -95,13 +93,13 @@ def permitted(
     """
     if level == 0 or not groups:
         return Permitted(level, (0.0,) * len(groups))
-    fractions = _fractions(level, groups, values, fraction_of)
+    fractions = fractions_at(level)
     if within(fractions, groups, values, limits):
         return Permitted(level, fractions)
     low, high, best = 0, level, (0.0,) * len(groups)
     while high - low > 1:
         middle = (low + high) // 2
-        fractions = _fractions(middle, groups, values, fraction_of)
+        fractions = fractions_at(middle)
         if within(fractions, groups, values, limits):
             low, best = middle, fractions
         else:
@@ -111,34 +109,42 @@ def permitted(
 
 def within(fractions: Fractions, groups: tuple[Group, ...], values: Mapping[str, float], limits: Limits) -> bool:
     """Return whether cap and factor allow these fractions."""
-    return all(_within(fraction, group, values, limits) for fraction, group in zip(fractions, groups, strict=True))
+    cap, factor = limits.cap + _ROUNDING, limits.factor
+    for fraction, group in zip(fractions, groups, strict=True):
+        if fraction > cap or (factor is not None and not _within_factor(fraction, group, values, factor)):
+            return False
+    return True
 
 
-def _within(fraction: float, group: Group, values: Mapping[str, float], limits: Limits) -> bool:
-    if fraction > limits.cap + _ROUNDING:
-        return False
-    if limits.factor is None:
-        return True
+def _within_factor(fraction: float, group: Group, values: Mapping[str, float], factor: float) -> bool:
     ends = dict(zip(group.names, moved(group, values, fraction), strict=True))
-    return deviation(group, ends) <= limits.factor * deviation(group, values) + _ROUNDING * group.scale
+    return deviation(group, ends) <= factor * deviation(group, values) + _ROUNDING * group.scale
 
 
-def _fractions(
-    level: int, groups: tuple[Group, ...], values: Mapping[str, float], fraction_of: FractionOf
-) -> Fractions:
-    return tuple(_exact(fraction_of(level, deviation(group, values) / group.scale)) for group in groups)
+def magnitudes(groups: tuple[Group, ...], values: Mapping[str, float]) -> Fractions:
+    """Return the tutor's own distance from neutral for each group, in units of its scale."""
+    return tuple([deviation(group, values) / group.scale for group in groups])
 
 
-def _exact(fraction: float) -> float:
-    plain = float(fraction)
+def exact_fraction(fraction: float) -> float:
+    """Return what a change returned as a plain float; ValueError if it is not finite or negative."""
+    plain = exact_number(fraction)
     if not 0 <= plain < math.inf:
         raise ValueError(f"a change returned {plain}; a fraction is finite and not negative")
     return plain
 
 
-def progress(group: Group, values: Mapping[str, float], ends: Mapping[str, float]) -> float:
-    """Return how far `ends` lies from the tutor's values along the group's direction; negative means less than it."""
+def progress(group: Group, values: Mapping[str, float], ends: Mapping[str, float]) -> float | None:
+    """Return how far `ends` lies from the tutor's values in the group's direction, in units of its scale.
+
+    Negative means less than the tutor's own. None means that it does not lie in that direction.
+    """
     if group.direction == "outward":
-        return deviation(group, ends) - deviation(group, values)
-    distance = ends[group.names[0]] - values[group.names[0]]
-    return distance if group.direction == "+" else -distance
+        distance = deviation(group, ends) - deviation(group, values)
+    else:
+        distance = (ends[group.names[0]] - values[group.names[0]]) * (1 if group.direction == "+" else -1)
+    if distance < 0:
+        return distance / group.scale
+    on_the_way = moved(group, values, distance / group.scale)
+    off = max(abs(ends[name] - value) for name, value in zip(group.names, on_the_way, strict=True))
+    return distance / group.scale if off <= _ROUNDING * group.scale else None

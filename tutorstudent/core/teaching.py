@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Generic, NamedTuple
 
 from tutorstudent.core.actions import ActionT, Group
-from tutorstudent.core.guard import Breach, Guard, check_intact, received, replica
+from tutorstudent.core.guard import Breach, Guard, Seal, check_intact, received, replica
 from tutorstudent.core.interfaces import Evaluator, Student
 from tutorstudent.core.records import Decision, Lesson, Outcome, StateT
 
@@ -17,12 +17,15 @@ class Pending(NamedTuple):
     original: Any
     executed: Any
     groups: tuple[Group, ...]
+    seals: tuple[Seal, Seal]
+    """Of the tutor's action and the executed action in the record."""
 
     def check_intact(self) -> None:
         """Raise a `Breach` if a part spoilt what it was shown."""
-        check_intact(self.decision.moment.tutor_action, self.original)
-        if self.decision.executed is not self.decision.moment.tutor_action:
-            check_intact(self.decision.executed, self.executed)
+        tutor_action, executed = self.decision.moment.tutor_action, self.decision.executed
+        check_intact(tutor_action, self.seals[0])
+        if executed is not tutor_action:
+            check_intact(executed, self.seals[1])
 
     def renewed(self) -> Decision[Any, Any]:
         """Return the decision with fresh copies, for the record, after a part spoilt the old ones."""
@@ -54,9 +57,10 @@ class Teacher(Generic[StateT, ActionT]):
                 return None
             if type(lesson) is not Lesson:
                 raise Breach("wrong-return", f"evaluate() returned {type(lesson).__name__}; return a Lesson or None.")
-            target = received(lesson.target, shown, pending.original)
+            target = received(lesson.target, shown, pending.seals[0])
             if target is not lesson.target:
                 lesson = lesson._replace(target=target)
+            _check_evidence(lesson, decision, outcome)
             part = "student"
             self._student.teach(lesson)
             pending.check_intact()
@@ -66,3 +70,17 @@ class Teacher(Generic[StateT, ActionT]):
             self._guard.record(decision.moment.number, part, error)
             return None
         return lesson
+
+
+def _check_evidence(lesson: Lesson[Any, Any], decision: Decision[Any, Any], outcome: Outcome[Any]) -> None:
+    """Raise a `Breach` unless the lesson is about this decision; an evaluator may hide evidence, not make it up."""
+    same = lesson.moment is decision.moment and lesson.executed is decision.executed
+    if not same or lesson.executed_level != decision.resulting.level or type(lesson.executed_level) is not int:
+        raise Breach("wrong-return", "the lesson is about another decision than the one that is judged.")
+    told = lesson.outcome
+    if told is outcome:
+        return
+    if type(told) is not Outcome or told.state is not outcome.state or not set(told.violated) <= set(outcome.violated):
+        raise Breach("wrong-return", "the lesson's outcome is not the one that was judged.")
+    if any(margins and margins not in (outcome.margins, outcome.margins_before) for margins in told[2:]):
+        raise Breach("wrong-return", "the lesson's margins are not the ones that were measured.")

@@ -6,6 +6,7 @@ from typing import Any
 
 from tutorstudent.core.actions import Action
 from tutorstudent.core.errors import ContractError, listing
+from tutorstudent.core.guard import checked_replica
 from tutorstudent.core.interfaces import ActionSelector, Student, Tutor
 
 
@@ -47,3 +48,5 @@ def check_failure_action(tutor: Tutor[Any, Any], action: Action | None) -> None:
         raise ContractError(
             f"on_tutor_failure: found {type(action).__name__}; expected the tutor's {tutor.action.__name__}."
         )
+    if action is not None:
+        checked_replica(action, "on_tutor_failure")

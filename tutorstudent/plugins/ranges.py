@@ -36,7 +36,7 @@ class Ranges(Encoder[Any, Any]):
         components = self.action_class.vocabulary.components.values()
         bounds = [
             (low if math.isfinite(low) else neutral - scale, high if math.isfinite(high) else neutral + scale)
-            for _, low, high, scale, neutral, _ in components
+            for _, low, high, scale, neutral, *_ in components
             if math.isfinite(scale)
         ]
         self._components = [spec.name for spec in components if math.isfinite(spec.scale)]
