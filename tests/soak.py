@@ -10,7 +10,6 @@ import sys
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
 
 from tests.core.oracle.behaviours import EVERYTHING
 from tests.core.oracle.trial import Tally, run
@@ -44,11 +43,9 @@ def show(tally: Tally, console: Console) -> None:
         f"{tally.amplified / tally.decisions:.0%} amplified; {len(tally.deeds)} hostile behaviours, each at least "
         f"{min(tally.deeds.values(), default=0)} times; {sum(tally.breaches.values())} breaches"
     )
-    if tally.breaches:
-        table = Table("times", "breach", "during", "for example")
-        for (name, during), times in tally.breaches.most_common(40):
-            table.add_row(str(times), name, during, tally.examples[name, during])
-        console.print(table)
+    for (name, during), times in tally.breaches.most_common(40):
+        example = tally.examples[name, during]
+        console.print(f"{times} x {name} during {during}: {example}", soft_wrap=True, markup=False)
 
 
 def main() -> int:

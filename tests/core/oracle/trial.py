@@ -8,8 +8,9 @@ from random import Random
 from typing import Any
 
 from tests.core.oracle.behaviours import BLAMED, EVERYTHING
-from tests.core.oracle.cast import Heard, State, parts
+from tests.core.oracle.cast import State, parts
 from tests.core.oracle.judge import Breach, Claim, Last, Rules, Said, judge
+from tests.core.oracle.learner import Heard
 from tests.core.oracle.plot import Deed, Plot
 from tests.core.oracle.shapes import SHAPES
 from tutorstudent.core.engine import Engine
