@@ -32,13 +32,13 @@ class ProgressBar(Observer):
         self._title = title
 
     def __enter__(self) -> Self:
-        self._progress.start()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         self._progress.stop()
 
     def begin(self, begin: Begin) -> None:
+        self._progress.start()
         self._task = self._progress.add_task(self._title, total=begin.decisions)
         self._done = 0
 
