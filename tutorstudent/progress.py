@@ -35,7 +35,8 @@ class ProgressBar(Observer):
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        self._progress.stop()
+        if self._progress.live.is_started:  # stopping a bar that never began prints an empty line
+            self._progress.stop()
 
     def begin(self, begin: Begin) -> None:
         self._progress.start()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.actions import ActionT
 from tutorstudent.core import component
+from tutorstudent.core.actions import ActionT
 from tutorstudent.core.component import Component, Field, Part
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import Amplifier
