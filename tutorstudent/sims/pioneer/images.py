@@ -17,6 +17,7 @@ Grey = NDArray[np.uint8]
 _PNG = b"\x89PNG\r\n\x1a\n"
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 """Bytes for a pixel by PNG colour type: grey, colour, each with and without transparency."""
+SUPPORTED = "Maps are PGM (P2 or P5) or PNG (8 bit, grey or colour, not interlaced)."
 MOST_PIXELS = 64_000_000
 
 
@@ -27,20 +28,22 @@ def read_grey(path: Path) -> Grey:
         return _png(data) if data.startswith(_PNG) else _pgm(data)
     except OSError as error:
         raise PipelineError(f"{path}: cannot be read: {error.strerror}.") from None
-    except (ValueError, IndexError, struct.error, zlib.error) as error:
-        raise PipelineError(
-            f"{path}: {error}. Maps are PGM (P2 or P5) or PNG (8 bit, grey or colour, not interlaced)."
-        ) from None
+    except (struct.error, zlib.error):
+        raise PipelineError(f"{path}: the image is cut short or damaged. {SUPPORTED}") from None
+    except ValueError as error:
+        raise PipelineError(f"{path}: {error}. {SUPPORTED}") from None
 
 
 def _pgm(data: bytes) -> Grey:
     header, start = _pgm_header(data)
+    if not all(word.isdigit() for word in header[1:]):
+        raise ValueError("the header of a PGM has three whole numbers")
     width, height, most = (int(word) for word in header[1:])
     _check_size(width, height)
     if not 0 < most < 256:
         raise ValueError(f"grey values up to {most} are not supported")
     if header[0] == b"P5":
-        values = np.frombuffer(data, np.uint8, width * height, start)
+        values = np.frombuffer(data[start : start + width * height], np.uint8)
     else:
         values = np.array(data[start:].split()[: width * height], dtype=np.int64)
     if values.size != width * height or (values.size and values.max() > most):
@@ -70,7 +73,7 @@ def _pgm_header(data: bytes) -> tuple[list[bytes], int]:
 
 def _png(data: bytes) -> Grey:
     chunks = list(_chunks(data))
-    header = next(body for kind, body in chunks if kind == b"IHDR")
+    header = next((body for kind, body in chunks if kind == b"IHDR"), b"")
     width, height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", header)
     _check_size(width, height)
     if depth != 8 or colour not in _CHANNELS or interlaced:
@@ -78,7 +81,9 @@ def _png(data: bytes) -> Grey:
     channels = _CHANNELS[colour]
     limit = height * (width * channels + 1)
     raw = zlib.decompressobj().decompress(b"".join(body for kind, body in chunks if kind == b"IDAT"), limit)
-    rows = np.frombuffer(raw, np.uint8, limit).reshape(height, width * channels + 1)
+    if len(raw) < limit:
+        raise ValueError("the image is cut short or damaged")
+    rows = np.frombuffer(raw, np.uint8).reshape(height, width * channels + 1)
     pixels = _unfiltered(rows, channels).reshape(height, width, channels)
     shades = pixels[:, :, :1] if channels < 3 else pixels[:, :, :3]
     grey: Grey = shades.mean(axis=2).astype(np.uint8)

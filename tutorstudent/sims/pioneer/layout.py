@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.world import Point
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.mesh import circle, thickened
 from tutorstudent.sims.pioneer.ros_map import read_ros_map
-from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, SceneSpec, Walls
+from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Walls
 from tutorstudent.sims.pioneer.scene_files import find_scene, read_scene
 
 Outline = list[Point]
@@ -49,39 +48,25 @@ def load_layout(scene: str, side_m: float | None = None, box_side_m: float | Non
         box_side_m: Side of every box instead of the scene's own.
     """
     path = find_scene(scene)
-    spec = read_scene(path)
+    spec, walls = read_scene(path)
     if side_m is not None and spec.units != "percent":
         raise PipelineError(
             f"world 'pioneer': option 'side_m' scales scenes in percent, but {path} is in metres; leave it out."
         )
-    return build(spec, path, side_m or spec.side_m, box_side_m)
-
-
-def build(spec: SceneSpec, path: Path, side_m: float | None, box_side_m: float | None = None) -> Layout:
-    """Return a scene in metres; `path` is where its maps are looked for."""
-    percent_m = _percent_m(spec, side_m, path)
-    unit_m = percent_m if spec.units == "percent" else 1.0
-    arena, islands = _walls(spec, path, percent_m)
+    side_m = side_m or spec.side_m
+    if side_m is None and isinstance(walls, Walls) and walls.units == "percent":
+        raise PipelineError(f"{path}: the walls are in percent, so side_m is required.")
+    units = {"metres": 1.0, "percent": (side_m or math.nan) / 100.0}
+    unit_m = units[spec.units]
+    arena, islands = read_ros_map(path.parent / walls.ros_map) if isinstance(walls, RosMap) else _walls(walls, units)
     starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
     boxes = (_box(box, unit_m, box_side_m or box.side_m) for box in spec.boxes)
     return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts))
 
 
-def _percent_m(spec: SceneSpec, side_m: float | None, path: Path) -> float:
-    if side_m is not None:
-        return side_m / 100.0
-    if isinstance(spec.walls, Walls) and spec.walls.units == "percent":
-        raise PipelineError(f"{path}: the walls are in percent, so side_m is required.")
-    return math.nan
-
-
-def _walls(spec: SceneSpec, path: Path, percent_m: float) -> tuple[Outline, Iterable[Outline]]:
-    if isinstance(spec.walls, RosMap):
-        return read_ros_map(path.parent / spec.walls.ros_map)
-    if isinstance(spec.walls, str):
-        raise PipelineError(f"{path}: the walls stand in '{spec.walls}'; read the scene with read_scene.")
-    unit_m = percent_m if spec.walls.units == "percent" else 1.0
-    return _outline(spec.walls.arena, unit_m), [_outline(shape, unit_m) for shape in spec.walls.islands.values()]
+def _walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:
+    unit_m = units[walls.units]
+    return _outline(walls.arena, unit_m), [_outline(shape, unit_m) for shape in walls.islands.values()]
 
 
 def _outline(shape: Circle | list[Point], unit_m: float) -> Outline:

@@ -39,13 +39,13 @@ def find_scene(name: str) -> Path:
     )
 
 
-def read_scene(path: Path) -> SceneSpec:
-    """Return what a scene file says; its walls are read too where they stand in a file of their own."""
+def read_scene(path: Path) -> tuple[SceneSpec, Walls | RosMap]:
+    """Return what a scene file says, and its walls, wherever they stand."""
     spec = checked(SceneSpec, read_yaml(path), path)
     if not isinstance(spec.walls, str):
-        return spec
+        return spec, spec.walls
     file = path.parent / spec.walls
-    return spec.model_validate({**dict(spec), "walls": checked(Walls, read_yaml(file), file)})
+    return spec, checked(Walls, read_yaml(file), file)
 
 
 def read_yaml(path: Path) -> Any:
