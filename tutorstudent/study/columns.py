@@ -91,8 +91,8 @@ def percent(values: Sequence[float]) -> str:
 def difference(paired: Difference | None) -> str:
     """Mean paired difference with its interval.
 
-    >>> difference(Difference(10, -2.0, -3.5, 0.5))
-    '-2.0 [-3.5, +0.5]'
+    >>> difference(Difference(10, -2.0, -3.5, 1.5))
+    '-2.0 [-3.5, +1.5]'
     """
     if paired is None:
         return NOTHING

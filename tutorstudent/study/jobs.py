@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, nullcontext
 from importlib import import_module
@@ -19,8 +19,6 @@ from tutorstudent.study.resolving import reread
 ERROR = "error.txt"
 """What a run that failed leaves behind: the problem in the first line, then where it arose."""
 
-RegistryFactory = Callable[[], Registry]
-
 
 class Finished(NamedTuple):
     """A job that is over."""
@@ -30,23 +28,20 @@ class Finished(NamedTuple):
     """Why it failed, or empty."""
 
 
-def run_jobs(
-    jobs: Sequence[Job], folder: Path, workers: int, registry: RegistryFactory = Registry.discover
-) -> Iterator[Finished]:
+def run_jobs(jobs: Sequence[Job], folder: Path, workers: int) -> Iterator[Finished]:
     """Run the jobs and yield each as it ends, in any order; a job that fails does not take the others along.
 
     Args:
         jobs: The runs.
         folder: The study's; each run writes into its own folder below.
         workers: Number of processes; 1 stays in this one.
-        registry: Makes the registry, in the process that needs it.
     """
     if workers == 1:
-        yield from (run_job(job, folder, registry) for job in jobs)
+        yield from (run_job(job, folder) for job in jobs)
         return
     waiting = {job.folder: job for job in jobs}
     try:
-        for finished in _in_parallel(jobs, folder, workers, registry):
+        for finished in _in_parallel(jobs, folder, workers):
             del waiting[finished.job.folder]
             yield finished
     except BrokenProcessPool as error:
@@ -54,11 +49,11 @@ def run_jobs(
         yield from (_failed(job, folder, problem, str(error)) for job in waiting.values())
 
 
-def run_job(job: Job, folder: Path, registry: RegistryFactory = Registry.discover) -> Finished:
+def run_job(job: Job, folder: Path) -> Finished:
     """Run one job and write its results, or `ERROR`, into its folder."""
     try:
         own = {"seed": job.seed, "decisions": job.decisions}
-        pipeline = reread(str(job.folder), job.pipeline | own, registry())
+        pipeline = reread(str(job.folder), job.pipeline | own, Registry.discover())
         with _one_thread():
             finished = run_pipeline(pipeline)
         write_run(folder / job.folder, finished)
@@ -75,12 +70,12 @@ def _failed(job: Job, folder: Path, problem: str, trace: str) -> Finished:
     return Finished(job, problem)
 
 
-def _in_parallel(jobs: Sequence[Job], folder: Path, workers: int, registry: RegistryFactory) -> Iterator[Finished]:
+def _in_parallel(jobs: Sequence[Job], folder: Path, workers: int) -> Iterator[Finished]:
     import joblib  # an extra: the rest of the package does without
 
     with joblib.parallel_config(backend="loky", inner_max_num_threads=1):
         parallel = joblib.Parallel(n_jobs=workers, return_as="generator_unordered", batch_size=1)
-    yield from parallel(joblib.delayed(run_job)(job, folder, registry) for job in jobs)
+    yield from parallel(joblib.delayed(run_job)(job, folder) for job in jobs)
 
 
 def _one_thread() -> AbstractContextManager[Any]:

@@ -65,6 +65,7 @@ def _way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
         alpha=0.8,
         capstyle="round",
         rasterized=True,
+        zorder=3,
     )
     way.set_array(arrays["resulting_level"][1:][together])
     return way
@@ -82,8 +83,5 @@ def _draw(axes: Axes, sketch: Sketch) -> None:
 
 
 def _outline(axes: Axes, points: Sequence[tuple[float, float]], colour: str) -> None:
-    filled = colour in MAP_COLOURS
-    face = MAP_COLOURS[colour] if filled else "none"
-    axes.add_patch(
-        Polygon(list(points), closed=True, facecolor=face, edgecolor=face if filled else WALL, linewidth=1.2)
-    )
+    body = MAP_COLOURS.get(colour)
+    axes.add_patch(Polygon(list(points), facecolor=body or "none", edgecolor=body or WALL, linewidth=1.2, alpha=0.7))

@@ -10,7 +10,7 @@ from importlib import resources
 from tutorstudent.study.maps import level_scale
 from tutorstudent.study.media import html
 from tutorstudent.study.palette import Palette
-from tutorstudent.study.pictures import Pictures, pictures
+from tutorstudent.study.pictures import LEVEL, Pictures, level_window, pictures
 from tutorstudent.study.plan import Environment, Plan, Variant
 from tutorstudent.study.results import Failure, Study
 from tutorstudent.study.tables import CONTROLS, INTERVALS, runs_table, tables
@@ -34,7 +34,8 @@ def page(study: Study) -> str:
 def _head(study: Study, title: str, palette: Palette) -> str:
     plan = study.plan
     links = " ".join(f'<a href="#{escape(item.name)}">{escape(item.name)}</a>' for item in plan.environments)
-    variants = "".join(_variant(variant, palette) for variant in plan.variants())
+    references = {item.reference for item in plan.environments}
+    variants = "".join(_variant(variant, references, palette) for variant in plan.variants())
     controls = any(variant.control for variant in plan.variants())
     claim = f'<p class="claim">{escape(CONTROLS)}</p>' if controls else f'<p class="claim">{escape(NO_CONTROLS)}</p>'
     return (
@@ -60,10 +61,11 @@ def _size(study: Study) -> str:
     )
 
 
-def _variant(variant: Variant, palette: Palette) -> str:
+def _variant(variant: Variant, references: set[str], palette: Palette) -> str:
     swatch = f'<i class="swatch" style="background:{palette.css(variant.name)}"></i>'
     name = f"<em>{escape(variant.name)}</em>" if variant.control else f"<strong>{escape(variant.name)}</strong>"
-    return f"<li>{swatch}{name}: {escape(variant.about)}</li>"
+    alone = " The tutor alone, to which differences are taken." if variant.name in references else ""
+    return f"<li>{swatch}{name}: {escape(variant.about)}{alone}</li>"
 
 
 def _failures(failures: Iterable[Failure]) -> str:
@@ -80,7 +82,7 @@ def _section(study: Study, environment: Environment, palette: Palette) -> str:
     colours = palette.css_by_name()
     shown = "\n".join(f"<h3>{table.title}</h3>\n{html(table, colours)}" for table in tables(study, environment))
     every = runs_table(study, environment)
-    drawn = _pictures(pictures(study, environment, palette), environment, study.plan.seeds[0])
+    drawn = _pictures(pictures(study, environment, palette), environment, study.plan)
     return (
         f'<section id="{escape(environment.name)}">\n<h2>{escape(environment.name)}</h2>\n'
         f"{shown}\n{drawn}\n"
@@ -88,7 +90,8 @@ def _section(study: Study, environment: Environment, palette: Palette) -> str:
     )
 
 
-def _pictures(drawn: Pictures, environment: Environment, seed: int) -> str:
+def _pictures(drawn: Pictures, environment: Environment, plan: Plan) -> str:
+    window = level_window(plan.decisions)
     strips = "".join(f'<figure class="picture">{item}</figure>' for item in drawn.strips)
     parts = [
         f'<h3>Every run</h3>\n<div class="pair">{strips}</div>\n<p class="note">A dot is a run, a bar the median.</p>'
@@ -96,18 +99,19 @@ def _pictures(drawn: Pictures, environment: Environment, seed: int) -> str:
     dashed = f" Dashed: the mean of {escape(environment.reference)}." if environment.reference else ""
     for title, panels in drawn.panels.items():
         film = "".join(f'<figure class="picture">{panel}</figure>' for panel in panels)
-        note = f'<p class="note">Over decisions. Thin: every run. Thick: their mean.{dashed}</p>'
-        parts.append(f'<h3>{escape(title)}</h3>\n{note}\n<div class="film">{film}</div>')
+        over = f"Moving mean over {window} decisions." if title == LEVEL else "Over decisions."
+        note = f'<p class="note">{over} Thin: every run. Thick: their mean.{dashed}</p>'
+        parts.append(f'<h3>{escape(title[:1].upper() + title[1:])}</h3>\n{note}\n<div class="film">{film}</div>')
     if drawn.maps:
         film = "".join(f'<figure class="picture">{item}</figure>' for item in drawn.maps)
-        parts.append(f'<h3>Where it drove</h3>\n{_scale(seed)}\n<div class="film maps">{film}</div>')
+        parts.append(f'<h3>Where it drove</h3>\n{_scale(plan.seeds[0])}\n<div class="film maps">{film}</div>')
     return "\n".join(parts)
 
 
 def _scale(seed: int) -> str:
     bars = "".join(f'<i style="background:{colour}"></i>' for colour in level_scale())
     return (
-        f'<p class="note">The run with seed {seed}, the first, not a chosen one. '
+        f'<p class="note">The run with seed {seed}, the first, not a chosen one; bodies stand where they begin. '
         f'Amplification level 0 <span class="scale">{bars}</span> 8.</p>'
     )
 

@@ -41,6 +41,11 @@ def pictures(study: Study, environment: Environment, palette: Palette) -> Pictur
     )
 
 
+def level_window(decisions: int) -> int:
+    """Return over how many decisions the level is averaged."""
+    return max(1, decisions // LEVEL_WINDOWS)
+
+
 def _harm_title(runs: list[Run]) -> str:
     known = any("collided" in run.summary for run in runs)
     return "collisions, per decision" if known else "violated decisions"
@@ -48,7 +53,7 @@ def _harm_title(runs: list[Run]) -> str:
 
 def _trace(run: Run, environment: Environment, harm_title: str) -> dict[str, Curve]:
     arrays = run.arrays()
-    window = max(1, len(arrays["kind"]) // LEVEL_WINDOWS)
+    window = level_window(len(arrays["kind"]))
     counted = {counter: entries(arrays, situation) for counter, situation in environment.counters().items()}
     return counted | {harm_title: harm(arrays), LEVEL: level(arrays, window)}
 

@@ -24,7 +24,7 @@ def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -
     """
     with mpl.rc_context(STYLE):
         left_px = min(LETTER_PX * max(len(name) for name in values) + 14, WIDTH_PX / 2)
-        figure, axes = sheet(WIDTH_PX, MARGIN_PX + ROW_PX * len(values), left_px=left_px, bottom_px=36)
+        figure, axes = sheet(WIDTH_PX, MARGIN_PX + ROW_PX * len(values), left_px=left_px, bottom_px=32)
         for row, (name, numbers) in enumerate(values.items()):
             _draw_row(axes, row, numbers, palette.drawn(name))
         axes.set_yticks(range(len(values)), list(values))

@@ -1,0 +1,70 @@
+"""Installs the corridor as a distribution, so that studies find it as they find anybody's, in workers too."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from joblib.externals.loky import get_reusable_executor
+
+from tutorstudent.core.registry import Registry
+
+FULL = """\
+decisions: 60
+world: {use: corridor, scene: short}
+tutor: shuttle
+student: {use: table, encoder: metre, codec: kind-level-ampbit}
+selector: same-kind
+amplifier: {use: learning-phase, decisions: 20, amount: 0.2}
+conditions: [at-wall]
+observers: [turns]
+"""
+STREAMLINED = FULL.replace("kind-level-ampbit", "level-ampbit").replace("same-kind", "modifier")
+ALONE = """\
+decisions: 60
+world: corridor
+tutor: shuttle
+student: silent
+selector: modifier
+amplifier: never
+conditions: [at-wall]
+observers: [turns]
+"""
+
+
+@pytest.fixture(scope="session")
+def corridor_distribution(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("site")
+    shutil.copy(Path(__file__).with_name("corridor.py"), place / "corridor_plugin.py")
+    information = place / "corridor_plugin-0.1.dist-info"
+    information.mkdir()
+    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: corridor-plugin\nVersion: 0.1\n")
+    (information / "entry_points.txt").write_text("[tutorstudent]\ncorridor = corridor_plugin\n")
+    return place
+
+
+@pytest.fixture
+def registry(corridor_distribution: Path, monkeypatch: pytest.MonkeyPatch) -> Registry:
+    monkeypatch.syspath_prepend(str(corridor_distribution))
+    return Registry.discover()
+
+
+@pytest.fixture
+def fresh_workers() -> Iterator[None]:
+    """Worker processes inherit the path of the moment at which they begin."""
+    get_reusable_executor().shutdown(wait=True)
+    yield
+    get_reusable_executor().shutdown(wait=True)
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> dict[str, Path]:
+    """Pipeline files by name."""
+    folder = tmp_path / "pipelines"
+    folder.mkdir()
+    texts = {"full": FULL, "streamlined": STREAMLINED, "alone": ALONE}
+    for name, text in texts.items():
+        (folder / f"{name}.yaml").write_text(text)
+    return {name: folder / f"{name}.yaml" for name in texts}

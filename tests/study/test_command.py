@@ -1,0 +1,113 @@
+"""`tutorstudent compare`, as a person calls it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.registry import Registry
+from tutorstudent.study import extras
+from tutorstudent.study.command import compare
+
+app = typer.Typer(pretty_exceptions_enable=False)
+app.command()(compare)
+
+
+def call(*arguments: object) -> Any:
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+@pytest.mark.usefixtures("registry")
+def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    result = call(
+        files["full"], files["alone"], "--runs", 2, "--decisions", 30, "--out", out, "--set", "world.trial=10"
+    )
+    assert 0 == result.exit_code, result.output
+    names = {"plan.json", "sketches", "runs", "results.csv", "table.md", "report.html"}
+    assert names == {path.name for path in out.iterdir()}
+    assert "What was found" in result.output
+    assert "12 runs, 0 failed." in result.output
+    assert 12 == len(list(out.glob("runs/short/*/*/decisions.npz")))
+
+
+@pytest.mark.usefixtures("registry")
+def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path], tmp_path: Path) -> None:
+    setting = "world.fails_with_seed=5"
+    result = call(files["full"], "--runs", 2, "--seed", 4, "--out", tmp_path / "out", "--set", setting, "--no-controls")
+    assert 1 == result.exit_code
+    told = " ".join(result.output.split())
+    assert "failed: short, full, seed 5: RuntimeError: the wall fell down" in told
+    assert "1 runs, 1 failed." in told
+
+
+@pytest.mark.usefixtures("registry")
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--vary", "world.scen=long"], r"did you mean 'scene'"),
+        (["--vary", "scene"], r"--vary scene: write key=value"),
+        (["--set", "decisions=none"], r"full.yaml:1:1: decisions"),
+        (["--set", "student.encoder=inch"], r"no encoder named 'inch'"),
+    ],
+)
+def test_a_mistake_is_an_error_of_ours_before_anything_is_written(
+    files: dict[str, Path], tmp_path: Path, arguments: list[str], message: str
+) -> None:
+    result = call(files["full"], "--out", tmp_path / "out", *arguments)
+    assert isinstance(result.exception, PipelineError | Exception)
+    with pytest.raises(Exception, match=message):
+        raise result.exception
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.usefixtures("registry")
+def test_a_folder_with_something_in_it_is_left_alone(files: dict[str, Path], tmp_path: Path) -> None:
+    (tmp_path / "precious.txt").write_text("x")
+    result = call(files["full"], "--out", tmp_path)
+    assert isinstance(result.exception, PipelineError)
+    assert "the folder is not empty; give a new one" in str(result.exception)
+    result = call(files["full"], "--out", tmp_path / "precious.txt")
+    assert "there is a file of that name; give a folder" in str(result.exception)
+
+
+def test_no_pipeline_is_a_usage_error() -> None:
+    assert 2 == call().exit_code
+
+
+@pytest.mark.parametrize("option", ["--runs", "--workers", "--decisions"])
+def test_nothing_can_be_done_zero_times(option: str, files: dict[str, Path]) -> None:
+    assert 2 == call(files["full"], option, 0).exit_code
+
+
+def test_every_option_has_a_help_text() -> None:
+    command = typer.main.get_command(app)
+    assert [] == [parameter.name for parameter in command.params if not getattr(parameter, "help", "")]
+
+
+def test_a_missing_extra_is_named_with_its_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extras, "find_spec", lambda module: None if module == "joblib" else object())
+    with pytest.raises(PipelineError, match=r"needs joblib; install it with: pip install 'tutorstudent\[study\]'"):
+        extras.check_extras()
+    extras.check_extras(("matplotlib",))
+
+
+def test_the_command_can_be_imported_without_the_extras() -> None:
+    import subprocess
+    import sys
+
+    program = (
+        "import sys; import tutorstudent.study.command; "
+        "print([m for m in ('matplotlib', 'joblib', 'scipy', 'pybullet', 'sklearn') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert "[]" == done.stdout.strip()
+
+
+def test_registry_fixture_really_finds_the_corridor(registry: Registry) -> None:
+    assert "corridor" in [installed.cls.name for installed in registry.of("world")]

@@ -1,0 +1,252 @@
+"""The page shows every run, opens without a network, and keeps its colours."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tutorstudent.core.registry import Registry
+from tutorstudent.core.world import Sketch
+from tutorstudent.study.command import write_plan
+from tutorstudent.study.jobs import run_jobs
+from tutorstudent.study.maps import _way, level_scale, way_map
+from tutorstudent.study.page import page
+from tutorstudent.study.palette import Palette
+from tutorstudent.study.plan import Plan, Variant
+from tutorstudent.study.planning import Request, make_plan
+from tutorstudent.study.report import write_report
+from tutorstudent.study.requests import read_pipelines, read_variation
+from tutorstudent.study.results import Study
+from tutorstudent.study.sketches import load_sketch, save_sketch
+from tutorstudent.study.strips import strip
+from tutorstudent.study.tables import CONTROLS
+
+VOID = {"meta", "br", "hr", "img", "link", "input"}
+
+
+class Outline(HTMLParser):
+    """Collects elements, and complains about what is not closed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(text)
+        assert [] == self.open
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert tag == self.open.pop()
+
+    def all(self, tag: str) -> list[dict[str, str | None]]:
+        return [attributes for name, attributes in self.elements if name == tag]
+
+
+@pytest.fixture(scope="module")
+def made(corridor_distribution: Path, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    from tests.study.conftest import ALONE, FULL  # the fixtures of a function cannot serve a module
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(corridor_distribution))
+        registry = Registry.discover()
+        folder = tmp_path_factory.mktemp("study")
+        (folder / "full.yaml").write_text(FULL.replace("short", "short, fails_with_seed: 2"))
+        (folder / "alone.yaml").write_text(ALONE.replace("corridor", "{use: corridor, fails_with_seed: 2}"))
+        given = read_pipelines([folder / "full.yaml", folder / "alone.yaml"], registry)
+        variations = read_variation("--vary", "world.scene=short,long")
+        plan = make_plan(Request(given, 3, decisions=30, variations=variations), registry)
+        out = folder / "out"
+        write_plan(plan, out, registry)
+        list(run_jobs(plan.jobs(), out, 1))
+    study = write_report(out)
+    return study, (out / "report.html").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def study(made: tuple[Study, str]) -> Study:
+    return made[0]
+
+
+@pytest.fixture(scope="module")
+def text(made: tuple[Study, str]) -> str:
+    return made[1]
+
+
+@pytest.fixture(scope="module")
+def first(study: Study) -> Study:
+    """The same in its first environment only."""
+    return study._replace(plan=study.plan._replace(environments=study.plan.environments[:1]))
+
+
+@pytest.fixture(scope="module")
+def outline(text: str) -> Outline:
+    return Outline(text)
+
+
+def test_the_page_can_be_fetched_whole(outline: Outline, text: str) -> None:
+    for _, attributes in outline.elements:
+        for name, value in attributes.items():
+            if name in ("src", "href", "xlink:href", "action", "data", "poster", "srcset"):
+                assert value is not None
+                assert value.startswith(("#", "data:"))
+    assert [] == outline.all("script") + outline.all("link") + outline.all("iframe")
+    assert not re.search(r"@import|url\((?!#)", text)
+
+
+def test_every_link_within_the_page_leads_somewhere(outline: Outline) -> None:
+    targets = {attributes["id"] for _, attributes in outline.elements if "id" in attributes}
+    links = {value for _, found in outline.elements for name in ("href", "xlink:href") if (value := found.get(name))}
+    assert {link for link in links if link.startswith("#")} <= {f"#{target}" for target in targets}
+
+
+def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
+    for environment in study.plan.environments:
+        section = text.partition(f'<section id="{environment.name}">')[2].partition("</section>")[0]
+        rows = section.partition("Every run as numbers")[2].count("<tr") - 1
+        assert len([run for run in study.runs if run.environment == environment.name]) == rows
+        for title in ("turns", "collisions, per decision"):
+            drawing = re.search(rf'<svg[^>]*aria-label="{title}, every run.*?</svg>', section, re.DOTALL)
+            assert drawing is not None
+            dots = re.findall(r"<use [^>]*style=\"fill: var\(--v\d\)", drawing[0])
+            assert rows == len(dots)
+
+
+def test_every_variant_has_a_panel_for_each_measure(study: Study, outline: Outline) -> None:
+    labels = [label for attributes in outline.all("svg") if (label := attributes.get("aria-label"))]
+    for title in ("turns", "collisions, per decision", "amplification level"):
+        for variant in study.plan.variants():
+            found = [label for label in labels if label.startswith(f"{title} over decisions, {variant.name}. ")]
+            assert len(study.plan.environments) == len(found)
+
+
+def test_runs_that_failed_are_told(study: Study, text: str) -> None:
+    assert 2 * 6 == len(study.failures)
+    assert "12 runs failed and are in no table" in text
+    assert "short, blind, seed 2: RuntimeError: the wall fell down" in text
+
+
+def test_every_drawing_has_a_text(outline: Outline) -> None:
+    drawings = outline.all("svg")
+    assert 2 * (2 + 3 * 6 + 2) == len(drawings)
+    assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
+
+
+def test_the_page_says_what_a_control_is_and_that_speed_finds_more(text: str) -> None:
+    assert CONTROLS in text
+    assert "Driving faster finds more attractors whether or not anything was learned" in CONTROLS
+
+
+def test_a_variant_has_one_colour_everywhere(study: Study, text: str) -> None:
+    palette = Palette(study.plan.variants())
+    for variant in study.plan.variants():
+        colour = palette.css(variant.name)
+        for found in re.findall(rf'background:([^"]*)"></i>{variant.name}<', text):
+            assert colour == found
+        for panel in re.findall(rf"<svg[^>]*over decisions, {variant.name}\. .*?</svg>", text, re.DOTALL):
+            assert {colour} == set(re.findall(r"var\(--v\d+\)", panel))
+
+
+def test_no_stand_in_for_a_colour_is_left(text: str) -> None:
+    assert not re.search(r"#(?:fe|01)[0-9a-f]{4}\b", text)
+
+
+def test_light_and_dark_ground_have_a_colour_for_each_variant(study: Study, text: str) -> None:
+    count = len(study.plan.variants())
+    for i in range(count):
+        assert 2 == len(re.findall(rf"--v{i}:#[0-9a-f]{{6}};", text))
+    assert f"--v{count}:" not in text
+
+
+def test_no_two_of_ten_variants_share_a_colour() -> None:
+    variants = [Variant(str(i), "", i > 4, {}, {}) for i in range(10)]
+    palette = Palette(variants)
+    for ground in (0, 1):
+        colours = re.findall(r"#[0-9a-f]{6}", palette.declarations(ground))
+        assert 10 == len(set(colours))
+
+
+def test_a_report_can_be_made_again_to_the_last_byte(first: Study, text: str) -> None:
+    again = page(first)
+    section = again.partition("<section id=")[2].partition("</section>")[0]
+    assert len(section) > 10_000
+    assert section in text
+
+
+def test_the_markdown_has_the_tables_of_every_environment(study: Study) -> None:
+    text = (study.folder / "table.md").read_text(encoding="utf-8")
+    for environment in study.plan.environments:
+        section = text.partition(f"## {environment.name}\n")[2]
+        for title in ("What was found", "What it cost", "What the parts did"):
+            assert f"**{title}**" in section
+    assert CONTROLS in text
+
+
+def test_without_controls_the_page_says_what_it_does_not_show(first: Study) -> None:
+    environment = first.plan.environments[0]
+    given = tuple(variant for variant in environment.variants if not variant.control)
+    bare = Plan((environment._replace(variants=given),), first.plan.seeds, first.plan.decisions)
+    shown = page(first._replace(plan=bare))
+    assert "made without controls" in shown
+    assert CONTROLS not in shown
+
+
+def test_hostile_names_stay_text(first: Study) -> None:
+    nasty = '<script>alert("x")</script>'
+    environment = first.plan.environments[0]
+    variants = tuple(variant._replace(about=nasty) for variant in environment.variants)
+    plan = first.plan._replace(environments=(environment._replace(variants=variants),))
+    failures = (first.failures[0]._replace(problem=nasty),)
+    shown = page(first._replace(plan=plan, failures=failures, runs=()))
+    assert "<script" not in shown
+    assert "&lt;script&gt;" in shown
+
+
+def test_a_study_of_which_nothing_ran_still_has_a_page(first: Study) -> None:
+    Outline(page(first._replace(runs=())))
+
+
+SKETCH = Sketch([([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)], "grey")], [((1.0, 0.5), 0.2, "red")], [(0.1, 0.2, 3.0, "x")])
+
+
+def test_a_sketch_can_be_read_again(tmp_path: Path) -> None:
+    save_sketch(tmp_path / "deep" / "s.json", SKETCH)
+    found = load_sketch(tmp_path / "deep" / "s.json")
+    assert [(list(points), colour) for points, colour in SKETCH.polygons] == list(found.polygons)
+    assert (list(SKETCH.discs), list(SKETCH.poses)) == (found.discs, found.poses)
+    assert Sketch() == load_sketch(tmp_path / "none.json")
+
+
+def test_a_way_breaks_where_a_trial_ends_and_only_there() -> None:
+    events = np.column_stack([np.arange(5.0), np.zeros(5)])
+    arrays = {"resulting_level": np.array([1, 2, 3, 4, 5]), "trial_ended": np.array([0, 0, 1, 0, 0])}
+    way = _way(events, arrays)
+    assert [(0.0, 1.0), (1.0, 2.0), (3.0, 4.0)] == [(path[0][0], path[1][0]) for path in way.get_segments()]
+    assert [2, 3, 5] == np.asarray(way.get_array()).tolist()
+
+
+def test_a_world_without_places_has_no_map() -> None:
+    arrays = {"event_names": np.array(["collided"]), "events": np.zeros((3, 1))}
+    assert way_map("x", SKETCH, arrays, Palette([Variant("x", "", False, {}, {})])) is None
+
+
+def test_levels_have_nine_colours() -> None:
+    assert 9 == len(set(level_scale()))
+
+
+@pytest.mark.parametrize("numbers", [[], [0.0], [1.0] * 10, [0.0, 0.0, 5000.0], [float(i) for i in range(9)]])
+def test_a_strip_shows_any_numbers(numbers: list[float]) -> None:
+    drawn = strip("hits", {"x": numbers}, Palette([Variant("x", "", False, {}, {})]))
+    assert len(numbers) == len(re.findall(r"<use [^>]*var\(--v0\)", drawn))
+    assert (max(numbers, default=0.0) == 5000.0) == ("logarithmic beyond 10" in drawn)
