@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from pydantic import model_validator
 
 from tests.core.oracle.scripted import ScriptedTutor, engine, level
 from tests.core.oracle.shapes import Flight, Oven, Valve
-from tutorstudent.core.actions import Action
+from tutorstudent.core.actions import Action, AmplificationMap, component
 from tutorstudent.core.limits import Limits
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.changes import Multiplicative
@@ -99,7 +100,7 @@ FAINT = [5e-324, -5e-324, 1e-310, -1e-308, 1e-300, -1e-200, 1e-30]
 
 
 @pytest.mark.parametrize("faint", FAINT)
-@pytest.mark.parametrize("others", [(0.0, 0.0), (0.0, 1e-310)])
+@pytest.mark.parametrize("others", [(0.0, 0.0), (0.0, 1e-310), (5e-324, 0.0)])
 def test_the_faintest_vector_moves_no_further_than_its_level(faint: float, others: tuple[float, float]) -> None:
     said = Flight(kind="cruise", forward_mps=others[0], left_mps=faint, up_mps=others[1])
     grown = rendered(said, 2)
@@ -150,3 +151,34 @@ def test_an_action_is_made_by_its_class_and_not_by_a_part() -> None:
     assert type(executed) is DriveAction
     assert executed is not said
     assert DriveAction.model_validate(executed.model_dump()) == executed
+
+
+class Shared(Action):
+    """Two wheels that share one battery: a rule about both, which bounds cannot say."""
+
+    left: float = component(-1.0, 1.0)
+    right: float = component(-1.0, 1.0)
+    amplification: ClassVar[AmplificationMap] = {"command": {"left": "+"}}
+
+    @model_validator(mode="after")
+    def _battery(self) -> Shared:
+        if abs(self.left) + abs(self.right) > 1:
+            raise ValueError("more than the battery gives")
+        return self
+
+
+class Unbounded(Action):
+    """A component whose sum with its scale is no number any more."""
+
+    force: float = component(scale=1e308)
+    amplification: ClassVar[AmplificationMap] = {"command": {"force": "+"}}
+
+
+@pytest.mark.parametrize("said", [Shared(left=0.5, right=0.4), Unbounded(force=1.7e308)], ids=["rule", "overflow"])
+def test_where_the_class_refuses_the_amplified_action_the_tutors_own_executes(said: Action) -> None:
+    tutor = ScriptedTutor(act=lambda state: said)
+    tutor.action = type(said)
+    wrapped = engine(len, level(4), tutor=tutor)
+    assert wrapped.step(None) is said
+    assert wrapped.pending.resulting.level == 0
+    assert len(wrapped.incidents) == 1
