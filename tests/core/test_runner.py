@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -59,7 +60,7 @@ def test_a_decision_that_was_cut_off_teaches_nothing() -> None:
 
 def test_no_lesson_crosses_a_trial() -> None:
     _, seen = ran(60, length_m=2.0)
-    firsts = [after for (_, before), (after, _) in zip(seen, seen[1:], strict=False) if before.done]
+    firsts = [after for (_, before), (after, _) in pairwise(seen) if before.done]
     assert firsts
     for turn in firsts:
         assert turn.decision.moment.state < 1.0
@@ -114,7 +115,7 @@ def test_entries_count_each_time_a_situation_begins() -> None:
 
     spins = Spins()
     spins.begin(Begin(None, None, 0))  # type: ignore[arg-type]
-    engine, seen = ran(1)
+    _, seen = ran(1)
     turn, _ = seen[0]
     for situation, done in [("spin", 0), ("spin", 0), ("", 0), ("spin", 1), ("spin", 0)]:
         moment = turn.decision.moment._replace(situation=situation)
