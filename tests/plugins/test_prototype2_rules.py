@@ -120,8 +120,8 @@ TESTED_BELOW = {
 
 
 def tutor(**options: object) -> Prototype2:
-    """Return a tutor whose recovery is the one that the rules name, without chance."""
-    made = Prototype2(**{"recover_random": 0.0, **options})
+    """Return a tutor that does what the rules name, without chance."""
+    made = Prototype2(**{"recover_random": 0.0, "wander_turn": 0.0, **options})
     made.bind(Binding(seed=7, slot="tutor", action=DriveAction))
     made.reset()
     return made
@@ -202,17 +202,75 @@ def test_a_spin_that_has_lasted_long_ends_where_there_is_any_way_ahead(
 
 def test_a_spin_that_has_lasted_long_goes_on_where_there_is_no_way_ahead() -> None:
     made = after(AVOIDING, spin_limit=20)
-    kinds = {made.act(sense(front=0.29)).kind for _ in range(100)}
+    kinds = {made.act(sense(front=0.14)).kind for _ in range(100)}
     assert (kinds, made.rule) == ({"right"}, "keep spinning")
 
 
-def test_a_restless_robot_turns_to_the_open_side_for_a_while_and_stops_for_an_obstacle() -> None:
+def gap(view_m: float) -> PioneerState:
+    """Return a state with a narrow way ahead through which the robot can look that far."""
+    seen = sense(front=0.35)
+    ranges = seen.sonar_m.copy()
+    ranges[[3, 4]] = view_m
+    return PioneerState(ranges, (), False)
+
+
+def test_a_spin_that_has_lasted_long_ends_where_the_robot_can_look_out_farthest() -> None:
+    made = after(AVOIDING, spin_limit=20)
+    for view_m in [1.0] * 10 + [4.0] + [1.0] * 12:
+        made.act(gap(view_m))
+    assert made.rule == "keep spinning"
+    assert (made.act(gap(3.9)).kind, made.rule, made.situation) == ("forward", "spun enough", FORWARD)
+
+
+def test_the_longer_a_spin_lasts_the_shorter_a_view_will_do() -> None:
+    made = after(AVOIDING, spin_limit=20)
+    made.act(gap(4.0))
+    turns = 0
+    while made.situation == AVOID:
+        made.act(gap(2.0))
+        turns += 1
+    assert turns == 2 * 20
+
+
+BREAKING_OUT = (BLOCKED, *[sense(front=0.31)] * 6)
+
+
+@pytest.mark.parametrize(
+    ("now", "rule"),
+    [
+        (sense(front=0.15, left=0.05, right=0.05), "drive on"),
+        (PREDATOR, "drive on"),
+        (sense(front=0.149), "avoid: obstacle ahead"),
+        (sense(left=0.049), "avoid: obstacle beside"),
+        (STALL, "recover from a stall"),
+    ],
+)
+def test_a_robot_that_breaks_out_passes_predators_and_keeps_half_the_clearance(now: PioneerState, rule: str) -> None:
+    made = after(BREAKING_OUT, spin_limit=5)
+    assert (made.situation, made.rule) == (FORWARD, "spun enough")
+    made.act(now)
+    assert made.rule == rule
+
+
+def test_breaking_out_lasts_30_decisions_and_is_over_then() -> None:
+    made = after(BREAKING_OUT, spin_limit=5)
+    rules = [(made.act(FREE), made.rule)[1] for _ in range(30)]
+    assert rules == ["drive on"] * 29 + ["wander: forward"]
+    for state in DRIVING:
+        made.act(state)
+    made.act(sense(front=0.29))
+    assert made.situation == AVOID
+
+
+def test_a_restless_robot_turns_to_the_open_side_for_a_while_until_an_obstacle_ends_the_turn() -> None:
     made = tutor(wander_turn=1.0, turn_max=1000)
     open_left = sense(right=1.2)
     assert (made.act(open_left).kind, made.rule) == ("left", "wander: turn to an open area")
     assert (made.act(sense(left=1.2)).kind, made.rule) == ("left", "wander: turn on to an open area")
     made.act(BLOCKED)
     assert made.rule == "avoid: obstacle ahead"
+    rules = [(made.act(sense(left=1.4, right=1.4)), made.rule)[1] for _ in range(11)]
+    assert rules == ["way is clear", *["drive on"] * 9, "wander: turn to an open area"]
 
 
 def test_a_restless_robot_does_not_turn_where_no_side_is_open() -> None:

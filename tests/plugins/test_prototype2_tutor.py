@@ -38,7 +38,7 @@ STALL = state(stalled=True)
 
 
 def bound(seed: int = 7, **options: Any) -> Prototype2:
-    tutor = Prototype2(**options)
+    tutor = Prototype2(**{"wander_turn": 0.0, **options})
     tutor.bind(Binding(seed=seed, slot="tutor", action=DriveAction))
     tutor.reset()
     return tutor
@@ -59,8 +59,8 @@ def act(tutor: Prototype2, states: Iterator[PioneerState]) -> list[tuple[DriveAc
 
 
 def test_the_hook_offers_the_tutor_and_three_encoders() -> None:
-    names = [component.name for component in tutorstudent_components()]
-    assert names == ["prototype2", "prototype2-bits", "prototype2-situation-bits", "prototype2-thermometer"]
+    names = {component.name for component in tutorstudent_components()}
+    assert names >= {"prototype2", "prototype2-bits", "prototype2-situation-bits", "prototype2-thermometer"}
 
 
 def test_the_planner_has_the_five_states_of_the_thesis() -> None:
@@ -80,7 +80,7 @@ def test_speeds_and_duration_are_the_options() -> None:
 
 
 def test_the_same_seed_gives_the_same_actions_and_another_seed_others() -> None:
-    first, again, other = (act(bound(seed), noise(2, 2000)) for seed in (7, 7, 8))
+    first, again, other = (act(bound(seed, wander_turn=0.1), noise(2, 2000)) for seed in (7, 7, 8))
     assert first == again
     assert first != other
 
@@ -119,8 +119,8 @@ TRIGGERS = [
 
 
 def test_alternating_triggers_do_not_flip_a_spin() -> None:
-    tutor = bound()
-    kinds = {tutor.act(seen).kind for seen in islice(cycle(TRIGGERS), 140)}
+    tutor = bound(spin_limit=10_000)
+    kinds = {tutor.act(seen).kind for seen in islice(cycle(TRIGGERS), 1000)}
     assert kinds == {"right"} or kinds == {"left"}
 
 

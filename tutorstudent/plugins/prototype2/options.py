@@ -45,12 +45,19 @@ class Tuning(Thresholds):
     avoid_forward: int = Field(10, ge=1, le=1000, description="decisions forward after a spin from an obstacle")
     flee_forward: int = Field(3, ge=1, le=1000, description="decisions forward after a spin from prey or predator")
     spin_limit: int = Field(
-        150, ge=1, le=100_000, description="decisions after which a spin ends where there is any way ahead"
+        80,
+        ge=1,
+        le=100_000,
+        description="length of a whole turn, decisions; after it a spin ends where there is most space ahead",
+    )
+    break_out_forward: int = Field(30, ge=1, le=1000, description="decisions forward after a spin all the way round")
+    break_out_clearance: float = Field(
+        0.5, gt=0, le=1, description="part of front_m and side_m that the robot keeps meanwhile, fraction"
     )
     wander_turn: float = Field(
-        0.0, ge=0, le=1, description="probability per decision that a wandering robot turns to an open side"
+        0.005, ge=0, le=1, description="probability per decision that a wandering robot turns to an open side"
     )
-    turn_max: int = Field(40, ge=1, le=1000, description="longest such turn, decisions")
+    turn_max: int = Field(15, ge=1, le=1000, description="longest such turn, decisions")
     open_m: float = Field(1.5, gt=0, le=5, description="mean range of a side that makes it an open area, m")
     recover_min: int = Field(3, ge=1, le=1000, description="shortest recovery action after a stall, decisions")
     recover_more: int = Field(5, ge=0, le=1000, description="longest random addition to it, decisions")

@@ -23,6 +23,8 @@ class Percept(NamedTuple):
 
     front_m: float
     """Smallest range of the four sonars ahead (2 to 5)."""
+    view_m: float
+    """Smaller range of the two sonars straight ahead (3 and 4): how far the robot can look out."""
     left_m: float
     """Smallest range of sonars 0 and 1."""
     right_m: float
@@ -71,6 +73,7 @@ def perceive(state: PioneerState) -> Percept:
     # By position, since this runs once per decision and once per encoding.
     return Percept(
         min(c, d, e, f),
+        min(d, e),
         min(a, b),
         min(g, h),
         min(sonar[10:14]),

@@ -32,7 +32,9 @@ class Pilot(View):
         self._last = self._forward
         self._side: DriveAction | None = None
         self._spun = 0
+        self._best_view_m = 0.0
         self._forward_left = 0
+        self._daring = False
         self._turn_left = 0
         self._recovery_left = 0
         self._recovered = 0
@@ -60,8 +62,22 @@ class Pilot(View):
         return self._forward_left <= 0
 
     def spun_enough(self) -> bool:
-        """The spin has lasted so long that any way ahead will do."""
-        return self._spun >= self.tuning.spin_limit and not self.obstacle_ahead()
+        """The spin has gone all the way round, and the robot looks out about as far as it could anywhere.
+
+        The longer it lasts the less will do, since others may have moved into the view.
+        """
+        limit = self.tuning.spin_limit
+        if self._spun < limit or self.closer_than(self.tuning.break_out_clearance):
+            return False
+        return self.seen.view_m * self._spun >= self._best_view_m * limit
+
+    def driven_too_close(self) -> bool:
+        """An obstacle is closer than the Forward state drives to; it drives closer when it breaks out."""
+        return self.closer_than(self.tuning.break_out_clearance if self._daring else 1.0)
+
+    def driven_to_predator(self) -> bool:
+        """A predator is near. A robot that breaks out passes it."""
+        return self.predator_near() and not self._daring
 
     def turning(self) -> bool:
         """A turn to an open area is going on."""
@@ -114,10 +130,13 @@ class Pilot(View):
 
     def keep_spinning(self) -> DriveAction:
         self._spun += 1
+        self._best_view_m = max(self._best_view_m, self.seen.view_m)
         return self._side or self._begin_spin(self._open_side())
 
     def _begin_spin(self, side: DriveAction) -> DriveAction:
         self._spun = 0
+        self._best_view_m = 0.0
+        self._turn_left = 0
         self._side = self._side or side
         return self._side
 
@@ -131,38 +150,49 @@ class Pilot(View):
 
     def leave(self) -> DriveAction:
         """Drive away from an obstacle that the robot has turned from."""
-        self._forward_left = self.tuning.avoid_forward - 1
-        return self._forward
+        return self._begin_forward(self.tuning.avoid_forward)
 
     def flee(self) -> DriveAction:
         """Drive away from prey or a predator that the robot has turned from."""
-        self._forward_left = self.tuning.flee_forward - 1
+        return self._begin_forward(self.tuning.flee_forward)
+
+    def break_out(self) -> DriveAction:
+        """Drive where the view is farthest, closer to things than otherwise."""
+        self._begin_forward(self.tuning.break_out_forward)
+        self._daring = True
         return self._forward
 
     def drive_on(self) -> DriveAction:
         self._forward_left -= 1
         return self._forward
 
+    def _begin_forward(self, decisions: int) -> DriveAction:
+        self._forward_left = decisions - 1
+        self._daring = False
+        return self._forward
+
     # Actions: free movement, which ends what a spin remembers
 
     def forward(self) -> DriveAction:
-        self._side = None
-        return self._forward
+        return self._move_freely(self._forward)
 
     def left(self) -> DriveAction:
-        self._side = None
-        return self._left
+        return self._move_freely(self._left)
 
     def right(self) -> DriveAction:
-        self._side = None
-        return self._right
+        return self._move_freely(self._right)
 
     def turn_to_open_area(self) -> DriveAction:
         """Begin a turn of random length towards the more open side."""
-        self._side = None
+        turn = self._move_freely(self._open_side())
         self._turn_left = int(self._rng.integers(self.tuning.turn_max))
-        return self._open_side()
+        return turn
 
     def keep_turning(self) -> DriveAction:
         self._turn_left -= 1
         return self._last
+
+    def _move_freely(self, action: DriveAction) -> DriveAction:
+        self._side = None
+        self._turn_left = 0
+        return action

@@ -23,8 +23,10 @@ class View:
     def obstacle_beside(self) -> bool:
         return self.seen.left_m < self.tuning.side_m or self.seen.right_m < self.tuning.side_m
 
-    def obstacle_close(self) -> bool:
-        return self.obstacle_ahead() or self.obstacle_beside()
+    def closer_than(self, part: float) -> bool:
+        """Something ahead or beside is closer than this part of what makes it an obstacle."""
+        seen, side_m = self.seen, part * self.tuning.side_m
+        return seen.front_m < part * self.tuning.front_m or seen.left_m < side_m or seen.right_m < side_m
 
     def little_space_ahead(self) -> bool:
         return self.seen.front_m < self.tuning.clear_m
