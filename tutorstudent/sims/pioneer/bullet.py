@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ import numpy as np
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.sims.pioneer.body import CENTRE_M, HEIGHT_M, LENGTH_M, WIDTH_M, Pose
-from tutorstudent.sims.pioneer.mesh import Vertex
+from tutorstudent.sims.pioneer.mesh import Mesh
 from tutorstudent.sims.pioneer.sonar import HEIGHT_M as RAY_HEIGHT_M
 
 CLEARANCE_M = 0.002
@@ -49,28 +48,36 @@ class Bullet:
     """
 
     def __init__(self, api: Any, gui: bool = False) -> None:
-        self.client = api.connect(api.GUI if gui else api.DIRECT)
-        if self.client == FAILED:
+        self._client = api.connect(api.GUI if gui else api.DIRECT)
+        if self._client == FAILED:
             raise PipelineError("pybullet could not open its window (option 'gui'); run with gui: false.")
         self.api = api
         self._cast = api.rayTestBatch
         self._set_pose = api.resetBasePositionAndOrientation
         self._closest = api.getClosestPoints
 
+    @property
+    def client(self) -> int:
+        """Number of the physics client, for whoever calls pybullet besides; -1 once it is closed."""
+        return int(self._client)
+
     def clear(self) -> None:
         """Remove every body."""
-        self.api.resetSimulation(physicsClientId=self.client)
+        self.api.resetSimulation(physicsClientId=self._client)
 
     def close(self) -> None:
         """Let the client go; does nothing the second time."""
-        if self.client != FAILED:
-            self.api.disconnect(physicsClientId=self.client)
-            self.client = FAILED
+        if self._client != FAILED:
+            self.api.disconnect(physicsClientId=self._client)
+            self._client = FAILED
 
-    def add_walls(self, vertices: Sequence[Vertex], indices: Sequence[int]) -> int:
-        """Add the walls and everything else that never moves as one concave mesh; return its body."""
+    def add_walls(self, mesh: Mesh) -> int:
+        """Add the walls and everything else that never moves as one concave mesh; return its body.
+
+        pybullet never frees the vertices that it is handed, so hand it the same mesh again.
+        """
         shape = self.api.createCollisionShape(
-            self.api.GEOM_MESH, vertices=vertices, indices=indices, physicsClientId=self.client
+            self.api.GEOM_MESH, vertices=mesh.vertices, indices=mesh.indices, physicsClientId=self._client
         )
         return self._static(shape, FAILED, WALL, RAY | PHYSICAL)
 
@@ -79,35 +86,33 @@ class Bullet:
         size = [LENGTH_M / 2, WIDTH_M / 2, HEIGHT_M / 2]
         middle = [CENTRE_M, 0.0, HEIGHT_M / 2]
         shape = self.api.createCollisionShape(
-            self.api.GEOM_BOX, halfExtents=size, collisionFramePosition=middle, physicsClientId=self.client
+            self.api.GEOM_BOX, halfExtents=size, collisionFramePosition=middle, physicsClientId=self._client
         )
         looks = self.api.createVisualShape(
             self.api.GEOM_BOX,
             halfExtents=size,
             visualFramePosition=middle,
             rgbaColor=colour,
-            physicsClientId=self.client,
+            physicsClientId=self._client,
         )
         return self._static(shape, looks, SHAPE, RAY)
 
-    def add_wall_picture(
-        self, vertices: Sequence[Vertex], indices: Sequence[int], normals: Sequence[Vertex], colour: Rgba
-    ) -> None:
+    def add_wall_picture(self, mesh: Mesh, colour: Rgba) -> None:
         """Add faces that are only drawn."""
         looks = self.api.createVisualShape(
             self.api.GEOM_MESH,
-            vertices=vertices,
-            indices=indices,
-            normals=normals,
+            vertices=mesh.vertices,
+            indices=mesh.indices,
+            normals=mesh.normals,
             rgbaColor=colour,
-            physicsClientId=self.client,
+            physicsClientId=self._client,
         )
         self._static(FAILED, looks, 0, 0)
 
     def add_picture(self, size_m: tuple[float, float, float], pose: Pose, colour: Rgba) -> int:
         """Add a coloured cuboid on the floor that is only drawn; return its body."""
         looks = self.api.createVisualShape(
-            self.api.GEOM_BOX, halfExtents=[side / 2 for side in size_m], rgbaColor=colour, physicsClientId=self.client
+            self.api.GEOM_BOX, halfExtents=[side / 2 for side in size_m], rgbaColor=colour, physicsClientId=self._client
         )
         body = self._static(FAILED, looks, 0, 0)
         self.place(body, pose, size_m[2] / 2)
@@ -118,15 +123,15 @@ class Bullet:
         x, y, heading = pose
         half = 0.5 * heading
         turn = (0.0, 0.0, math.sin(half), math.cos(half))
-        self._set_pose(body, (x, y, height_m), turn, physicsClientId=self.client)
+        self._set_pose(body, (x, y, height_m), turn, physicsClientId=self._client)
 
     def touch(self, body: int, other: int) -> bool:
         """Return whether two bodies are nearer than `CLEARANCE_M`."""
-        return bool(self._closest(body, other, CLEARANCE_M, physicsClientId=self.client))
+        return bool(self._closest(body, other, CLEARANCE_M, physicsClientId=self._client))
 
     def cast(self, starts: Points, ends: Points) -> list[float]:
         """Return the travelled fraction of each ray, 1 where it met nothing."""
-        hits = self._cast(starts, ends, numThreads=1, physicsClientId=self.client)
+        hits = self._cast(starts, ends, numThreads=1, physicsClientId=self._client)
         return [hit[2] for hit in hits]
 
     def render(
@@ -152,14 +157,14 @@ class Bullet:
             viewMatrix=self.api.computeViewMatrix([x, y, RAY_HEIGHT_M], ahead, [0.0, 0.0, 1.0]),
             projectionMatrix=self.api.computeProjectionMatrix(-side, side, -top, top, near_m, far_m),
             renderer=self.api.ER_TINY_RENDERER,
-            physicsClientId=self.client,
+            physicsClientId=self._client,
         )
         buffer = np.reshape(image[3], (rows, columns))
         return np.reshape(image[4], (rows, columns)), far_m * near_m / (far_m - (far_m - near_m) * buffer)
 
     def call(self, function: str, *args: Any, **kwargs: Any) -> Any:
         """Call any other function of pybullet on this client."""
-        return getattr(self.api, function)(*args, physicsClientId=self.client, **kwargs)
+        return getattr(self.api, function)(*args, physicsClientId=self._client, **kwargs)
 
     def load_urdf(self, path: Path, pose: Pose) -> int:
         """Load a URDF with its inertia as written; return its body."""
@@ -173,7 +178,7 @@ class Bullet:
             0,
             baseCollisionShapeIndex=shape,
             baseVisualShapeIndex=looks,
-            physicsClientId=self.client,
+            physicsClientId=self._client,
         )
-        self.api.setCollisionFilterGroupMask(body, -1, group, mask, physicsClientId=self.client)
+        self.api.setCollisionFilterGroupMask(body, -1, group, mask, physicsClientId=self._client)
         return int(body)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.world import Point
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
-from tutorstudent.sims.pioneer.mesh import circle, thickened
+from tutorstudent.sims.pioneer.mesh import Mesh, circle, facades, prisms, thickened
 from tutorstudent.sims.pioneer.ros_map import read_ros_map
 from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Walls
 from tutorstudent.sims.pioneer.scene_files import find_scene, read_scene
@@ -28,10 +28,10 @@ class Layout:
     starts: tuple[Pose, ...]
     """Start poses of the robots, in their order."""
 
-    @property
-    def solids(self) -> list[Sequence[Point]]:
-        """Every closed outline that bounds something solid, the outer wall's two included."""
-        return [self.arena, thickened(self.arena), *self.islands, *(box.corners() for box in self.boxes)]
+    mesh: Mesh
+    """Everything solid, the outer wall included."""
+    picture: Mesh
+    """The walls, to be drawn."""
 
     @property
     def learner(self) -> int:
@@ -60,8 +60,10 @@ def load_layout(scene: str, side_m: float | None = None, box_side_m: float | Non
     unit_m = units[spec.units]
     arena, islands = read_ros_map(path.parent / walls.ros_map) if isinstance(walls, RosMap) else _walls(walls, units)
     starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
-    boxes = (_box(box, unit_m, box_side_m or box.side_m) for box in spec.boxes)
-    return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts))
+    boxes = [_box(box, unit_m, box_side_m or box.side_m) for box in spec.boxes]
+    solids = [arena, thickened(arena), *islands, *(box.corners() for box in boxes)]
+    picture = facades([arena, *islands])
+    return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts), prisms(solids), picture)
 
 
 def _walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from tutorstudent.core.world import Point
 
@@ -16,8 +17,16 @@ RING_M = 0.2
 CIRCLE_SIDES = 128
 
 
-def prisms(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int]]:
-    """Return vertices and triangle indices of upright faces along closed outlines, one quad for each side."""
+class Mesh(NamedTuple):
+    """Triangles: three indices each. Normals only where a renderer needs them."""
+
+    vertices: Sequence[Vertex]
+    indices: Sequence[int]
+    normals: Sequence[Vertex] = ()
+
+
+def prisms(outlines: Iterable[Sequence[Point]]) -> Mesh:
+    """Return upright faces along closed outlines, one quad for each side."""
     vertices: list[Vertex] = []
     indices: list[int] = []
     for outline in outlines:
@@ -27,11 +36,11 @@ def prisms(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int]
         for side in range(count):
             a, b = first + 2 * side, first + 2 * ((side + 1) % count)
             indices += [a, b, b + 1, a, b + 1, a + 1]
-    return vertices, indices
+    return Mesh(vertices, indices)
 
 
-def facades(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int], list[Vertex]]:
-    """Return vertices, indices and normals of the same faces for a renderer: flat, and seen from both sides."""
+def facades(outlines: Iterable[Sequence[Point]]) -> Mesh:
+    """Return the same faces for a renderer: flat, and seen from both sides."""
     vertices: list[Vertex] = []
     indices: list[int] = []
     normals: list[Vertex] = []
@@ -44,7 +53,7 @@ def facades(outlines: Iterable[Sequence[Point]]) -> tuple[list[Vertex], list[int
                 normals += [(side * (v - y) / length, side * (x - u) / length, 0.0)] * 4
                 corners = (0, 1, 2, 0, 2, 3) if side > 0 else (0, 2, 1, 0, 3, 2)
                 indices += [first + corner for corner in corners]
-    return vertices, indices, normals
+    return Mesh(vertices, indices, normals)
 
 
 def circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:

@@ -9,7 +9,7 @@ from tutorstudent.core.world import Point
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.bullet import Bullet, Rgba
 from tutorstudent.sims.pioneer.layout import Layout
-from tutorstudent.sims.pioneer.mesh import HEIGHT_M, facades, prisms
+from tutorstudent.sims.pioneer.mesh import HEIGHT_M
 from tutorstudent.sims.pioneer.motion import FREE, WALLS, KinematicDrive, Shapes
 
 PAINT: dict[str, Rgba] = {
@@ -38,9 +38,9 @@ class Stage:
         bullet.clear()
         self._bullet = bullet
         self._layout = layout
-        self.walls = bullet.add_walls(*prisms(layout.solids))
+        self.walls = bullet.add_walls(layout.mesh)
         self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
-        bullet.add_wall_picture(*facades([layout.arena, *layout.islands]), PAINT["grey"])
+        bullet.add_wall_picture(layout.picture, PAINT["grey"])
         self.boxes = tuple(bullet.add_picture(_size(box), _pose(box), PAINT[box.colour]) for box in layout.boxes)
 
     def refuse_taken(self, poses: Sequence[Pose]) -> None:
