@@ -24,10 +24,13 @@ from tutorstudent.core.levels import Executed, LevelLimiter, reached_level
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.proposals import ProposalT, exact_level
 from tutorstudent.core.records import Decision, Incident, Moment, StateT, Turn
-from tutorstudent.core.rendering import Permitted, render
+from tutorstudent.core.rendering import Permitted
 from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
 from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
+
+ELSE_EXECUTED = "something else was executed"
+UNTOLD = "the executed level could not be told"
 
 
 class Engine(Generic[StateT, ActionT, ProposalT]):
@@ -124,7 +127,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             graded = self._grader.fall_back(original, groups)
         else:
             graded = self._grader.grade(moment, original, groups)
-        action = render(original, groups, graded.permitted.fractions)
+        action, graded = self._grader.render(self.decisions, graded, original, groups)
         self._remember(moment, graded, original, action, groups)
         self.decisions += 1
         return action
@@ -164,6 +167,8 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             )
         decision, original, _, groups, seals = self._pending
         own, record = checked_replica(action, "executed()"), replica(action)
+        if self._void in (ELSE_EXECUTED, UNTOLD):
+            self._void = ""  # an earlier word about the same decision is taken back
         level, permitted = self._reached(self._pending, own)
         selected = decision.selected._replace(level=min(level, decision.selected.level))
         resulting = decision.resulting._replace(level=level)
@@ -222,11 +227,11 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             level = reached_level(original, groups, executed, decision.resulting.level, self._levels)
             if level is not None:
                 return level, self._levels.permit(level, original, groups)
-            self._void = "something else was executed"
+            self._void = ELSE_EXECUTED
         except KeyboardInterrupt:
             raise
         except BaseException as error:
-            self._void = "the executed level could not be told"
+            self._void = UNTOLD
             self._guard.record(decision.moment.number, "amplifier", error)
         return 0, Permitted(0, (0.0,) * len(groups))
 

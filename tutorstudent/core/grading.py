@@ -10,7 +10,7 @@ from tutorstudent.core.interfaces import ActionSelector, Amplifier, Student
 from tutorstudent.core.levels import LevelLimiter
 from tutorstudent.core.proposals import Proposal, ProposalT
 from tutorstudent.core.records import GradedAction, Moment, StateT
-from tutorstudent.core.rendering import Permitted
+from tutorstudent.core.rendering import Permitted, render
 
 
 class Graded(NamedTuple, Generic[ActionT]):
@@ -73,3 +73,16 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
         permitted = self._levels.fall_back(original, groups)
         graded = GradedAction(replica(original), permitted.level, True)
         return Graded(graded, graded, permitted, None)
+
+    def render(
+        self, number: int, graded: Graded[ActionT], original: ActionT, groups: tuple[Group, ...]
+    ) -> tuple[ActionT, Graded[ActionT]]:
+        """Return the action to execute; the tutor's own where the action class refuses the amplified one."""
+        try:
+            return render(original, groups, graded.permitted.fractions), graded
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self._guard.record(number, "action", error)
+            self._levels.previous = None
+            return original, self.fall_back(original, groups)

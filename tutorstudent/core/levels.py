@@ -18,6 +18,8 @@ from tutorstudent.core.rendering import (
     progress,
 )
 
+HIGHEST_LEVEL = 1000
+"""No level goes beyond it, even where a level moves nothing."""
 _ROUNDING = 1e-9
 
 
@@ -43,6 +45,7 @@ class LevelLimiter:
 
     def permit(self, level: int, original: Action, groups: tuple[Group, ...]) -> Permitted:
         """Return the highest level up to `level` that cap and factor allow."""
+        level = min(level, HIGHEST_LEVEL)
         values, change, amount = original.__dict__, self._change, self._amount
         sizes = magnitudes(groups, values) if level else ()
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.component import Learned
+from tutorstudent.core.levels import HIGHEST_LEVEL
 from tutorstudent.core.observers import Begin, Observer
 from tutorstudent.core.records import Turn
 from tutorstudent.core.world import Step
@@ -51,7 +52,7 @@ class Recorder(Observer):
             decision.selected.level,
             decision.resulting.level,
             decision.resulting.ampbit,
-            NO_LEVEL if lesson is None else lesson.target.level,
+            NO_LEVEL if lesson is None else min(lesson.target.level, HIGHEST_LEVEL),
             NO_LEVEL if lesson is None else lesson.target.ampbit,
             len(turn.incidents),
             step.done or step.truncated,

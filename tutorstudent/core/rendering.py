@@ -56,10 +56,12 @@ def _moved_scalar(group: Group, value: float, distance: float) -> float:
 
 def _moved_vector(group: Group, values: list[float], distance: float) -> tuple[float, ...]:
     arm = [value - neutral for value, neutral in zip(values, group.neutral, strict=True)]
-    length = math.hypot(*arm)
-    if length == 0:
+    longest = max(map(abs, arm))
+    if longest == 0:
         return tuple(values)
-    heading = [part / length for part in arm]
+    shape = [part / longest for part in arm]  # the length of the faintest numbers would be rounded
+    length = math.hypot(*shape)
+    heading = [part / length for part in shape]
     for value, part, low, high in zip(values, heading, group.low, group.high, strict=True):
         if part:
             distance = min(distance, ((high if part > 0 else low) - value) / part)
