@@ -69,10 +69,13 @@ class Corridor(ts.World[Place, DriveAction]):
 
 
 class Shuttle(ts.Tutor[Place, DriveAction]):
-    """Forward to 2 m, backward to 1 m, and so on."""
+    """Forward to 2 m or so, backward to 1 m, and so on."""
 
     name = "shuttle"
     action = DriveAction
+
+    class Options(ts.Options):
+        far_m: float = ts.Field(2.0, description="where it turns back")
 
     def reset(self) -> None:
         self._back = False
@@ -81,7 +84,7 @@ class Shuttle(ts.Tutor[Place, DriveAction]):
         self._back = False
 
     def act(self, state: Place) -> DriveAction:
-        self._back = state.x_m > 2.0 or (self._back and state.x_m > 1.0)
+        self._back = state.x_m > self.options.far_m or (self._back and state.x_m > 1.0)
         if self._back:
             return DriveAction(kind="backward", translation=-0.2)
         return DriveAction(kind="forward", translation=0.2)

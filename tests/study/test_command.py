@@ -37,6 +37,13 @@ def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_pa
 
 
 @pytest.mark.usefixtures("registry")
+def test_a_comparison_in_which_nothing_is_counted_says_so(files: dict[str, Path], tmp_path: Path) -> None:
+    result = call(files["alone"], "--runs", 1, "--decisions", 5, "--out", tmp_path / "out", "--set", "observers=[]")
+    assert 0 == result.exit_code, result.output
+    assert "Nothing counts what the tutors achieve; name an observer" in result.output
+
+
+@pytest.mark.usefixtures("registry")
 def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path], tmp_path: Path) -> None:
     setting = "world.fails_with_seed=5"
     result = call(files["full"], "--runs", 2, "--seed", 4, "--out", tmp_path / "out", "--set", setting, "--no-controls")

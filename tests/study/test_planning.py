@@ -79,6 +79,12 @@ def test_a_tutor_alone_with_other_conditions_is_another_pipeline(plan: Any, file
     assert "tutor-alone" in variants(plan("full", "alone"))
 
 
+def test_differences_are_to_the_learners_own_tutor(plan: Any, files: dict[str, Path]) -> None:
+    files["alone"].write_text(files["alone"].read_text().replace("shuttle", "{use: shuttle, far_m: 1.5}"))
+    assert "tutor-alone" == plan("alone", "full").environments[0].reference
+    assert "" == plan("alone", "full", controls=False).environments[0].reference
+
+
 def test_a_constant_level_that_is_given_does_not_run_twice(plan: Any, files: dict[str, Path]) -> None:
     text = files["full"].read_text()
     for old, new in [

@@ -60,13 +60,13 @@ def test_what_was_found_is_mean_sd_and_median_with_the_paired_difference() -> No
     mean, low, high = map(float, re.findall(r"[-+]?\d+\.\d", cell(found, "2A", "difference")))
     assert 15.0 == mean
     assert 12.0 <= low < 15.0 < high <= 20.0
-    assert "100.0 ± 20.0 (100)" == cell(found, "alone", "distance, m")
+    assert "100 ± 20.0 (100)" == cell(found, "alone", "distance, m")
 
 
 def test_what_it_cost_tells_the_worst_run_beside_the_mean() -> None:
     _, cost, _ = tables(study(), study().plan.environments[0])
     # 4, 0 and 305: mean 103, sample sd sqrt((99^2 + 103^2 + 202^2) / 2) = 174.9...
-    assert "103.0 ± 174.9 (4; max 305)" == cell(cost, "2A", "collisions, per decision")
+    assert "103 ± 175 (4; max 305)" == cell(cost, "2A", "collisions, per decision")
     # 3, 0 and 3: mean 2, sample sd sqrt(3).
     assert "2.0 ± 1.7 (3; max 3)" == cell(cost, "2A", "collisions, per contact")
     assert "305" == cell(cost, "2A", "longest stall, decisions (max)")

@@ -26,12 +26,12 @@ class Column(NamedTuple):
 def number(value: float) -> str:
     """Return a number with as many digits as a table needs.
 
-    >>> [number(value) for value in (0.0, 0.04, 3.25, 84.6, 1234.5)]
-    ['0', '0.04', '3.2', '84.6', '1234']
+    >>> [number(value) for value in (0.0, 0.04, 3.25, 84.6, 385.7)]
+    ['0', '0.04', '3.2', '84.6', '386']
     """
     if value == 0 or not math.isfinite(value):
         return "0" if value == 0 else NOTHING
-    digits = 0 if abs(value) >= 1000 else 1 if abs(value) >= 1 else 2
+    digits = 0 if abs(value) >= 100 else 1 if abs(value) >= 1 else 2
     return f"{value:.{digits}f}"
 
 
@@ -58,7 +58,7 @@ def heavy_tailed(values: Sequence[float]) -> str:
     """Mean, standard deviation, median, and the worst run, which the others hide.
 
     >>> heavy_tailed([0.0, 0.0, 300.0])
-    '100.0 ± 173.2 (0; max 300)'
+    '100 ± 173 (0; max 300)'
     """
     runs = spread(values)
     return f"{number(runs.mean)} ± {number(runs.sd)} ({count(runs.median)}; max {count(runs.highest)})"

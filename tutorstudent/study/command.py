@@ -36,7 +36,9 @@ def compare(
         list[str] | None, typer.Option("--set", help="Set key=value in every pipeline; may be repeated.")
     ] = None,
     controls: Annotated[bool, typer.Option("--controls/--no-controls", help="Run the controls beside them.")] = True,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the first run; run i has this + i, for all alike.")] = 0,
+    seed: Annotated[
+        int, typer.Option(min=0, help="Seed of run 0; run i has this + i, for all alike, whatever the files say.")
+    ] = 0,
 ) -> None:
     """Compare pipelines on paired seeds, with their controls, and write a page with every run."""
     check_extras()
@@ -105,4 +107,6 @@ def show(out: Path) -> None:
         console.rule(environment.name, align="left")
         for table in tables(study, environment):
             console.print(terminal(table), "\n")
+    if not any(environment.counters() for environment in study.plan.environments):
+        console.print("Nothing counts what the tutors achieve; name an observer, as in --set 'observers=[attractors]'.")
     console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. The page: {out / PAGE}", highlight=False)

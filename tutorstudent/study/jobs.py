@@ -37,7 +37,8 @@ def run_jobs(jobs: Sequence[Job], folder: Path, workers: int) -> Iterator[Finish
         workers: Number of processes; 1 stays in this one.
     """
     if workers == 1:
-        yield from (run_job(job, folder) for job in jobs)
+        registry = Registry.discover()
+        yield from (run_job(job, folder, registry) for job in jobs)
         return
     waiting = {job.folder: job for job in jobs}
     try:
@@ -49,11 +50,11 @@ def run_jobs(jobs: Sequence[Job], folder: Path, workers: int) -> Iterator[Finish
         yield from (_failed(job, folder, problem, str(error)) for job in waiting.values())
 
 
-def run_job(job: Job, folder: Path) -> Finished:
-    """Run one job and write its results, or `ERROR`, into its folder."""
+def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finished:
+    """Run one job and write its results, or `ERROR`, into its folder; without a registry it looks for the plugins."""
     try:
         own = {"seed": job.seed, "decisions": job.decisions}
-        pipeline = reread(str(job.folder), job.pipeline | own, Registry.discover())
+        pipeline = reread(str(job.folder), job.pipeline | own, registry or Registry.discover())
         with _one_thread():
             finished = run_pipeline(pipeline)
         write_run(folder / job.folder, finished)

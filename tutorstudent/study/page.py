@@ -112,7 +112,7 @@ def _scale(seed: int) -> str:
     bars = "".join(f'<i style="background:{colour}"></i>' for colour in level_scale())
     return (
         f'<p class="note">The run with seed {seed}, the first, not a chosen one; bodies stand where they begin. '
-        f'Amplification level 0 <span class="scale">{bars}</span> 8.</p>'
+        f'<span class="key">Amplification level 0 <span class="scale">{bars}</span> 8</span></p>'
     )
 
 

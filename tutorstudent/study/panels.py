@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 
 from tutorstudent.study.curves import Curve, thinned
 from tutorstudent.study.palette import INK, Palette
+from tutorstudent.study.scales import LINEAR_UP_TO, LONG_LABEL, is_long_tailed, long_ticks
 from tutorstudent.study.svg import STYLE, sheet, svg
 
 WIDTH_PX, HEIGHT_PX = 240, 170
@@ -28,37 +29,50 @@ class Bundle(NamedTuple):
 
 def panels(bundle: Bundle, palette: Palette) -> list[str]:
     """Return an SVG for each variant that has runs."""
-    top = max((float(curve.max()) for curves in bundle.curves.values() for curve in curves), default=1.0)
+    ends = [float(curve[-1]) for curves in bundle.curves.values() for curve in curves]
+    tops = [float(curve.max()) for curves in bundle.curves.values() for curve in curves]
+    scale = _Scale(max(1.0, *tops, 1.0), is_long_tailed(ends))
     with mpl.rc_context(STYLE):
-        return [_panel(bundle, name, top, palette) for name, curves in bundle.curves.items() if curves]
+        return [_panel(bundle, name, scale, palette) for name, curves in bundle.curves.items() if curves]
 
 
-def _panel(bundle: Bundle, name: str, top: float, palette: Palette) -> str:
-    figure, axes = sheet(WIDTH_PX, HEIGHT_PX, left_px=28, bottom_px=20)
+class _Scale(NamedTuple):
+    """One for all panels of a bundle."""
+
+    top: float
+    is_long: bool
+
+
+def _panel(bundle: Bundle, name: str, scale: _Scale, palette: Palette) -> str:
+    figure, axes = sheet(WIDTH_PX, HEIGHT_PX, left_px=40 if scale.is_long else 28, bottom_px=20)
     curves = bundle.curves[name]
-    at = thinned(min(len(curve) for curve in curves))
-    decisions = at + 1
+    at = thinned(len(curves[0]))
     for curve in curves:
-        axes.plot(decisions, curve[at], color=palette.drawn(name), linewidth=0.7, alpha=0.55)
-    axes.plot(decisions, _mean(curves, at), color=palette.drawn(name), linewidth=2.0)
+        axes.plot(at + 1, curve[at], color=palette.drawn(name), linewidth=0.7, alpha=0.55)
+    axes.plot(at + 1, np.mean(curves, axis=0)[at], color=palette.drawn(name), linewidth=2.0)
     reference = bundle.curves.get(bundle.reference)
     if reference and name != bundle.reference:
-        axes.plot(decisions, _mean(reference, at), color=INK, linewidth=1.1, linestyle=(0, (3, 2)))
+        axes.plot(at + 1, np.mean(reference, axis=0)[at], color=INK, linewidth=1.1, linestyle=(0, (3, 2)))
     axes.set_title(name, color=palette.drawn(name), fontweight="bold")
-    axes.set_ylim(0, max(top, 1.0) * 1.04)
-    axes.set_xlim(0, float(decisions[-1]))
-    _ticks(axes)
+    _across(axes, len(curves[0]))
+    _upward(axes, scale)
     ends = ", ".join(f"{curve[-1]:.4g}" for curve in curves)
     return svg(figure, f"{bundle.title} over decisions, {name}. At the end of each run: {ends}.", palette.stand_ins())
 
 
-def _mean(curves: Sequence[Curve], at: Curve) -> Curve:
-    shortest = min(len(curve) for curve in curves)
-    return np.asarray(np.mean([curve[at[at < shortest]] for curve in curves], axis=0), dtype=np.float64)
-
-
-def _ticks(axes: Axes) -> None:
-    axes.locator_params(axis="x", nbins=4)
-    axes.locator_params(axis="y", nbins=5)
+def _across(axes: Axes, decisions: int) -> None:
+    axes.set_xlim(0, decisions)
+    axes.locator_params(axis="x", nbins=4, integer=True)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value / 1000:g}k" if value >= 1000 else f"{value:g}")
-    axes.grid(axis="y", linewidth=0.5, alpha=0.5)
+
+
+def _upward(axes: Axes, scale: _Scale) -> None:
+    axes.grid(axis="y", linewidth=0.5)
+    if scale.is_long:
+        axes.set_yscale("symlog", linthresh=LINEAR_UP_TO)
+        axes.set_yticks(long_ticks(scale.top, (5, 10)))
+        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        axes.set_ylabel(LONG_LABEL, fontsize=7.5)
+    else:
+        axes.locator_params(axis="y", nbins=5, integer=True)
+    axes.set_ylim(0, scale.top * 1.04)

@@ -62,8 +62,7 @@ def _environment(request: Request, variation: Setting | None, registry: Registry
     ]
     variants = [*given, *_controls(resolved, registry)] if request.controls else given
     name = variation.label if variation else _world_name(given[0])
-    reference = next((variant.name for variant in variants if is_tutor_alone(variant.pipeline)), "")
-    return Environment(name, tuple(variants), reference)
+    return Environment(name, tuple(variants), _reference(variants))
 
 
 def _resolved(pipeline: Pipeline, variation: Setting | None) -> Resolved:
@@ -102,6 +101,13 @@ def _controls(resolved: Mapping[str, Resolved], registry: Registry) -> list[Vari
         about = f"{control.about} A control of {learner}."
         variants.append(Variant(control.name, about, True, values, resolved[learner].counters))
     return variants
+
+
+def _reference(variants: Sequence[Variant]) -> str:
+    """Return the name of what the learner's own tutor does alone; empty where that does not run."""
+    alone = [variant for variant in variants if is_tutor_alone(variant.pipeline)]
+    learner = next((variant for variant in variants if variant not in alone), None)
+    return next((item.name for item in alone if not learner or item.pipeline["tutor"] == learner.pipeline["tutor"]), "")
 
 
 def _file(pipeline: Pipeline) -> str:

@@ -9,18 +9,16 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from tutorstudent.study.palette import Palette
+from tutorstudent.study.scales import LINEAR_UP_TO, LONG_LABEL, is_long_tailed, long_ticks
 from tutorstudent.study.svg import STYLE, sheet, svg
 
 WIDTH_PX, ROW_PX, MARGIN_PX, LETTER_PX = 420, 26, 56, 5.6
-LINEAR_UP_TO = 10.0
-LOGARITHMIC_FROM = 100.0
-TICKS = [0, 2, 5, *(step * 10**power for power in range(1, 9) for step in (1, 2, 5))]
 
 
 def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -> str:
     """Return an SVG with a row for each variant, a dot for each run and a bar at the median.
 
-    Numbers with a long tail are drawn on a logarithmic scale beyond 10; the axis says so.
+    Where a few numbers are far above the others the scale is logarithmic beyond 10; the axis says so.
     """
     with mpl.rc_context(STYLE):
         left_px = min(LETTER_PX * max(len(name) for name in values) + 14, WIDTH_PX / 2)
@@ -30,7 +28,7 @@ def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -
         axes.set_yticks(range(len(values)), list(values))
         axes.set_ylim(len(values) - 0.4, -0.6)
         axes.tick_params(axis="y", length=0)
-        axes.grid(axis="x", linewidth=0.5, alpha=0.5)
+        axes.grid(axis="x", linewidth=0.5)
         _scale(axes, title, [number for numbers in values.values() for number in numbers])
         return svg(figure, f"{title}, every run. {_alt(values)}.", palette.stand_ins())
 
@@ -47,11 +45,12 @@ def _draw_row(axes: Axes, row: int, numbers: Sequence[float], colour: str) -> No
 def _scale(axes: Axes, title: str, numbers: Sequence[float]) -> None:
     axes.set_xlabel(title)
     highest = max(numbers, default=1.0)
-    if highest > LOGARITHMIC_FROM and highest > 8 * np.median(numbers):
+    axes.locator_params(axis="x", integer=True)
+    if is_long_tailed(numbers):
         axes.set_xscale("symlog", linthresh=LINEAR_UP_TO)
-        axes.set_xticks([tick for tick in TICKS if tick <= highest])
+        axes.set_xticks(long_ticks(highest, (2, 5, 10)))
         axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-        axes.set_xlabel(f"{title} (logarithmic beyond {LINEAR_UP_TO:g})")
+        axes.set_xlabel(f"{title} ({LONG_LABEL})")
     axes.set_xlim(min(0.0, *numbers, 0.0), max(highest, 1.0) * 1.03)
 
 

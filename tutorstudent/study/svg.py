@@ -28,6 +28,7 @@ STYLE: Any = {
     "axes.spines.right": False,
     "axes.titlesize": 9.5,
     "axes.titlelocation": "left",
+    "grid.color": FAINT,
     "figure.facecolor": "none",
     "xtick.color": FAINT,
     "ytick.color": FAINT,

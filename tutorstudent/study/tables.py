@@ -33,7 +33,8 @@ CONTROLS = (
 )
 INTERVALS = (
     "Cells are mean ± standard deviation over runs (median). Differences are to the tutor alone, run by run on the "
-    "same seed, with a 95 % percentile bootstrap interval over pairs (10,000 resamples)."
+    "same seed, with a 95 % percentile bootstrap interval over pairs (10,000 resamples); such an interval "
+    "is too narrow for fewer than about ten pairs."
 )
 
 

@@ -1,0 +1,32 @@
+"""Scales for numbers of which a few are very large, such as the collisions of a robot that was stuck once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+LINEAR_UP_TO = 10
+"""Long scales are linear up to here and logarithmic beyond."""
+LONG_LABEL = f"logarithmic beyond {LINEAR_UP_TO}"
+_LONG_FROM = 100.0
+
+
+def is_long_tailed(numbers: Sequence[float]) -> bool:
+    """Return whether a linear scale would hide most of the numbers.
+
+    >>> is_long_tailed([0, 2, 3, 500]), is_long_tailed([200, 300, 500]), is_long_tailed([0, 1, 50])
+    (True, False, False)
+    """
+    highest = max(numbers, default=0.0)
+    return bool(highest > _LONG_FROM and highest > 8 * np.median(numbers))
+
+
+def long_ticks(highest: float, steps: Sequence[int]) -> list[int]:
+    """Return where a long scale is marked: 0, and these steps of every power of ten.
+
+    >>> long_ticks(300, (1, 5))
+    [0, 1, 5, 10, 50, 100]
+    """
+    ticks = [0, *(step * 10**power for power in range(9) for step in steps)]
+    return [tick for tick in ticks if tick <= highest]
