@@ -13,6 +13,7 @@ from tutorstudent.sims.pioneer.bullet import CLEARANCE_M, Bullet, load_pybullet
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.motion import FREE, WALLS, KinematicDrive
 from tutorstudent.sims.pioneer.stage import Stage
+from tutorstudent.sims.pioneer.types import DriveAction
 
 ACCURACY_M = 0.001
 """Bullet's contact distances are this exact: meshes and boxes have small margins."""
@@ -93,6 +94,23 @@ def test_robots_touch_each_other_exactly_where_the_plane_says(stage):
         assert client.touch(first, second) == overlap
         touched += overlap
     assert touched > 500
+
+
+@pytest.mark.parametrize("name", ["chase-avoid", "cave-predator-prey-box"])
+def test_whatever_is_commanded_no_robot_ever_overlaps_anything(make_world, name):
+    """200 random actions, up to full speed and for up to a second, against the exact gap in the plane."""
+    world = make_world(name)
+    world.reset(6)
+    sides = segments(load_layout(name)) @ [1, 1j]
+    rng = np.random.default_rng(7)
+    for translation, rotation, duration_s in rng.uniform((-1, -1, 0), (1, 1, 1), (200, 3)):
+        action = DriveAction(kind="forward", translation=translation, rotation=rotation, duration_s=duration_s)
+        state = world.step(action).state
+        assert np.all((state.sonar_m >= 0.0) & (state.sonar_m <= 5.0))
+        bodies = [corners(Pose(x, y, heading)) for x, y, heading, _ in world.sketch().poses]
+        for i, body in enumerate(bodies):
+            assert gap(body, sides[:, 0], sides[:, 1]) > 0.0
+            assert all(gap(body, other, np.roll(other, -1)) > 0.0 for other in bodies[i + 1 :])
 
 
 def test_a_drive_says_what_stopped_a_robot(stage):

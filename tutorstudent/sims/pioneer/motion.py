@@ -29,7 +29,7 @@ class Shapes:
 
     def __init__(self, bullet: Bullet, bodies: Sequence[int]) -> None:
         self.bodies = tuple(bodies)
-        self._bullet = bullet
+        self._place = bullet.place
         self._shown: list[Pose | None] = [None] * len(bodies)
 
     def show(self, poses: Sequence[Pose]) -> None:
@@ -41,7 +41,7 @@ class Shapes:
     def show_one(self, index: int, pose: Pose) -> None:
         """Put one body at its pose."""
         self._shown[index] = pose
-        self._bullet.place(self.bodies[index], pose)
+        self._place(self.bodies[index], pose)
 
 
 class Drive(abc.ABC):
