@@ -26,10 +26,12 @@ $(VENV)/.dev: pyproject.toml | $(VENV)/bin/python
 install: $(VENV)/.dev ## set up the virtual environment with everything
 
 demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
+	rm -rf demo-out
 	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml \
 		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --workers $(WORKERS) --out demo-out
 
 compare: $(VENV)/.demo ## 10 paired seeds with controls in the four environments, full and streamlined
+	rm -rf studies/compare
 	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml $(PIPELINES)/streamlined.yaml \
 		--vary world.scene=chase-avoid,cave-box,cave-predator-prey,cave-predator-prey-box \
 		--runs 10 --decisions 10000 --workers $(WORKERS) --out studies/compare

@@ -24,7 +24,7 @@ CORE_ORDER = [
     {"engine"},
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlfile"},
-    {"registry", "adapters"},
+    {"registry", "adapters", "settings"},
     {"assembly"},
     {"pipeline"},
     {"rundir", "schema"},
@@ -78,14 +78,15 @@ def test_plugins_take_only_the_robots_vocabulary_from_the_simulator() -> None:
 
 
 def test_core_imports_in_one_order() -> None:
-    offences = []
-    for path in sorted((PACKAGE / "core").glob("*.py")):
-        if path.stem == "__init__":
-            continue
-        for name, _ in imports(path):
-            if name.startswith("tutorstudent.core.") and (below := name.split(".")[2]) != path.stem:
-                if RANK[below] > RANK[path.stem]:
-                    offences.append(f"{path.stem} imports {below}")
+    offences = [
+        f"{path.stem} imports {below}"
+        for path in sorted((PACKAGE / "core").glob("*.py"))
+        if path.stem != "__init__"
+        for name, _ in imports(path)
+        if name.startswith("tutorstudent.core.")
+        and (below := name.split(".")[2]) != path.stem
+        and RANK[below] > RANK[path.stem]
+    ]
     assert [] == offences
 
 

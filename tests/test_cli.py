@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from tutorstudent.cli import app, main, parse_settings
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.cli import app, main
 from tutorstudent.core.recording import load_arrays
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "pipelines"
@@ -72,7 +71,9 @@ def test_settings_take_the_place_of_the_files_values(tmp_path: Path) -> None:
         (["run", str(FULL), "--set", "tutor=protoype2"], "no tutor named 'protoype2' (did you mean 'prototype2'?)"),
         (["run", str(FULL), "--set", "selector=modifier"], "selector 'modifier' needs LevelProposal but student"),
         (["run", str(FULL), "--set", "world.scene=cave-bx"], "cave-bx"),
-        (["run", str(FULL), "--set", "nonsense"], "--set nonsense: write KEY=VALUE, as in --set student.hidden=10."),
+        (["run", str(FULL), "--set", "nonsense"], "--set nonsense: write key=value, as in --set world.scene=cave-box."),
+        (["run", str(FULL), "--set", "decisions.x=3"], "decisions.x: 'decisions' is 10000, not a mapping; set"),
+        (["run", str(FULL), "--set", "conditions.0=near"], "conditions.0: 'conditions' is ['bumped'], not a mapping"),
         (["run", str(FULL), "--out", __file__], "is a file; name a directory for the run."),
     ],
 )
@@ -160,9 +161,3 @@ def test_every_command_has_help(words: list[str]) -> None:
     result = CliRunner().invoke(app, [*words, "--help"])
     assert 0 == result.exit_code
     assert "Usage:" in result.stdout
-
-
-def test_settings_are_read_as_yaml() -> None:
-    assert {"a.b": 1, "c": ["x"], "d": "word"} == parse_settings(["a.b=1", "c=[x]", "d=word"])
-    with pytest.raises(PipelineError, match="write KEY=VALUE"):
-        parse_settings(["=3"])

@@ -11,12 +11,12 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
-from tutorstudent.core.errors import PipelineError, TutorStudentError
+from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import prepare, run_pipeline, write_run
 from tutorstudent.core.schema import pipeline_schema
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.settings import read_settings
 from tutorstudent.progress import ProgressBar
 from tutorstudent.study.command import compare
 
@@ -48,7 +48,7 @@ def run(
     settings: Setting = None,
 ) -> None:
     """Run a pipeline in its world and write a directory that can be read later."""
-    changes = parse_settings(settings or [])
+    changes = read_settings("--set", settings or [])
     changes |= {key: value for key, value in (("decisions", decisions), ("seed", seed)) if value is not None}
     chosen = Pipeline.read(pipeline).replaced(changes)
     directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
@@ -83,21 +83,6 @@ def plugins_list(as_json: AsJson = False) -> None:
 def schema() -> None:
     """Print a JSON Schema of pipelines, composed from the installed plugins."""
     _say(json.dumps(pipeline_schema(Registry.discover()), indent=2))
-
-
-def parse_settings(settings: list[str]) -> dict[str, Any]:
-    """Return ``KEY=VALUE`` words as a mapping; values are read as YAML.
-
-    >>> parse_settings(["student.hidden=10", "conditions=[bumped]"])
-    {'student.hidden': 10, 'conditions': ['bumped']}
-    """
-    changes = {}
-    for setting in settings:
-        key, equals, value = setting.partition("=")
-        if not (key and equals):
-            raise PipelineError(f"--set {setting}: write KEY=VALUE, as in --set student.hidden=10.")
-        changes[key] = parse_yaml(value, f"--set {setting}").data
-    return changes
 
 
 def _listing(registry: Registry) -> dict[str, Any]:

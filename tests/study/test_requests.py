@@ -85,7 +85,7 @@ def test_a_file_that_is_not_there_is_refused(tmp_path: Path, registry: Registry)
 
 def test_a_key_that_leads_through_a_number_is_refused(files: dict[str, Path], registry: Registry) -> None:
     pipeline = read_pipelines([files["full"]], registry)["full"]
-    with pytest.raises(PipelineError, match=r"--set decisions.x=3: 'decisions' is 60 in .*full.yaml, not a mapping"):
+    with pytest.raises(PipelineError, match=r"full.yaml: decisions.x: 'decisions' is 60, not a mapping"):
         read_setting("--set", "decisions.x=3").apply(pipeline)
 
 

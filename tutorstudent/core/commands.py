@@ -48,7 +48,7 @@ def scalar(
     """Return an action class of one number, amplified outward: away from neutral, nothing at neutral.
 
     >>> scalar(-1, 1)(value=0.25)
-    Scalar(value=0.25)
+    Scalar(kind='command', value=0.25)
     """
     return _command("Scalar", ["value"], [low], [high], neutral, scale, unit)
 
@@ -59,7 +59,7 @@ def vector(
     """Return an action class of `size` numbers that are amplified together, so that their direction is kept.
 
     >>> vector(-1, 1, 2).read([0.3, -0.4])
-    Vector(x0=0.3, x1=-0.4)
+    Vector(kind='command', x0=0.3, x1=-0.4)
     """
     lows, highs = ([bound] * size if isinstance(bound, int | float) else list(bound) for bound in (low, high))
     if len(lows) != size or len(highs) != size:

@@ -62,10 +62,14 @@ class Pipeline:
         return cls(read_yaml(Path(path)), registry)
 
     def replaced(self, values: Mapping[str, Any]) -> Pipeline:
-        """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``."""
+        """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``.
+
+        Raises:
+            PipelineError: if a key leads through something that is no mapping, or the pipeline has no such key.
+        """
         data = dict(self.document.data)
         for dotted, value in values.items():
-            _set(data, tuple(dotted.split(".")), value)
+            _set(data, dotted, value, self.document.name)
         return Pipeline(self.document._replace(data=data), self.registry)
 
     def engine(self, **given: Any) -> Engine[Any, Any, Any]:
@@ -137,12 +141,17 @@ class Pipeline:
             ) from None
 
 
-def _set(data: dict[str, Any], keys: tuple[str, ...], value: Any) -> None:
-    for key in keys[:-1]:
+def _set(data: dict[str, Any], dotted: str, value: Any, name: str) -> None:
+    *parents, last = dotted.split(".")
+    for key in parents:
         below = data.get(key, {})
-        below = {"use": below} if isinstance(below, str) else dict(below)
-        data[key], data = below, below
-    data[keys[-1]] = value
+        if isinstance(below, str):
+            below = {"use": below}
+        if not isinstance(below, dict):
+            raise PipelineError(f"{name}: {dotted}: '{key}' is {below!r}, not a mapping; set '{key}' itself.")
+        data[key] = dict(below)
+        data = data[key]
+    data[last] = value
 
 
 def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pipeline) -> dict[str, Any]:

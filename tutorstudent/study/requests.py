@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
+from tutorstudent.core.settings import key_and_text, read_key_value
 from tutorstudent.core.yamlfile import parse_yaml
 
 
@@ -29,19 +30,7 @@ class Setting(NamedTuple):
         return slug(f"{self.key.rpartition('.')[2]}-{self.value}")
 
     def apply(self, pipeline: Pipeline) -> Pipeline:
-        """Return the pipeline with this value.
-
-        Raises:
-            PipelineError: if the key leads through something that is no mapping, or the pipeline has no such key.
-        """
-        node: Any = pipeline.document.data
-        for key in self.key.split(".")[:-1]:
-            node = node.get(key, {})
-            if isinstance(node, str):
-                node = {"use": node}
-            if not isinstance(node, dict):
-                name = pipeline.document.name
-                raise PipelineError(f"{self.text}: '{key}' is {node!r} in {name}, not a mapping; set '{key}' itself.")
+        """Return the pipeline with this value; PipelineError if it has no place for the key."""
         return pipeline.replaced({self.key: self.value})
 
 
@@ -56,8 +45,7 @@ def slug(text: str) -> str:
 
 def read_setting(option: str, text: str) -> Setting:
     """Read ``key=value``; the value is YAML."""
-    key, value = _halves(option, text)
-    return Setting(f"{option} {text}", key, parse_yaml(value, f"{option} {text}").data)
+    return Setting(f"{option} {text}", *read_key_value(option, text))
 
 
 def read_variation(option: str, text: str) -> list[Setting]:
@@ -66,7 +54,7 @@ def read_variation(option: str, text: str) -> list[Setting]:
     Raises:
         PipelineError: if there is no value, or one twice.
     """
-    key, values = _halves(option, text)
+    key, values = key_and_text(option, text)
     found = parse_yaml(f"[{values}]", f"{option} {text}").data
     settings = [Setting(f"{option} {key}={value}", key, value) for value in found]
     if not settings:
@@ -95,10 +83,3 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
             )
         found[name] = path, Pipeline.read(path, registry)
     return {name: pipeline for name, (_, pipeline) in found.items()}
-
-
-def _halves(option: str, text: str) -> tuple[str, str]:
-    key, equals, value = text.partition("=")
-    if not equals or not key.strip():
-        raise PipelineError(f"{option} {text}: write key=value, as in {option} world.scene=cave-box.")
-    return key.strip(), value

@@ -1,0 +1,44 @@
+"""``KEY=VALUE``: another value for one dotted key of a pipeline."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.yamlfile import parse_yaml
+
+
+def key_and_text(option: str, text: str) -> tuple[str, str]:
+    """Return both sides of ``KEY=VALUE``, the value as it was written.
+
+    Args:
+        option: The option that it was given to, for messages.
+        text: What was given.
+
+    Raises:
+        PipelineError: if it is not of that form.
+    """
+    key, equals, value = text.partition("=")
+    if not equals or not key.strip():
+        raise PipelineError(f"{option} {text}: write key=value, as in {option} world.scene=cave-box.")
+    return key.strip(), value
+
+
+def read_key_value(option: str, text: str) -> tuple[str, Any]:
+    """Return the key and the value of ``KEY=VALUE``; the value is YAML.
+
+    >>> read_key_value("--set", "student.hidden=10")
+    ('student.hidden', 10)
+    """
+    key, value = key_and_text(option, text)
+    return key, parse_yaml(value, f"{option} {text}").data
+
+
+def read_settings(option: str, texts: Sequence[str]) -> dict[str, Any]:
+    """Return several as a mapping.
+
+    >>> read_settings("--set", ["student.hidden=10", "conditions=[bumped]"])
+    {'student.hidden': 10, 'conditions': ['bumped']}
+    """
+    return dict(read_key_value(option, text) for text in texts)
