@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar, Literal
 
+from tutorstudent.core import component as component_module
 from tutorstudent.core.actions import Action, AmplificationMap, component
+from tutorstudent.core.component import Field
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.leaves import condition
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.world import Sketch, Step, World
-from tutorstudent.core import component as component_module
-from tutorstudent.core.component import Field
 
 
 class Push(Action):
