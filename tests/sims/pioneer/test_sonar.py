@@ -111,7 +111,7 @@ def test_read_noise_is_a_fresh_uniform_share_at_each_read_and_never_exceeds_the_
 
 
 def test_noise_never_lifts_a_reading_above_the_largest_range():
-    noise = ReadNoise(0.5, 3, 5.0, np.random.default_rng(0))
-    reads = np.array([noise.read(np.array([5.0, 4.0, 0.0])) for _ in range(600)])
+    noise = ReadNoise(0.5, 3, 5.0, [np.random.default_rng(0)])
+    reads = np.array([noise.read(np.array([[5.0, 4.0, 0.0]]))[0] for _ in range(600)])
     assert reads.max() == 5.0
     assert reads[:, 2].tolist() == [0.0] * 600

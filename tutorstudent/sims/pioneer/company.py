@@ -36,7 +36,8 @@ class Company:
         self._members = [i for i in range(len(layout.robots)) if i != self._learner]
         self._hunters = [i for i in self._members if layout.robots[i].controller == "predator"]
         self._actors = [_actor(layout.robots[i], options, seed) for i in self._members]
-        self._noise = [_noise(layout.robots[i], options, seed) for i in self._members]
+        streams = [stream(seed, f"pioneer.{layout.robots[i].name}.sonar") for i in self._members]
+        self._noise = ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, streams)
         self._ring = SonarRing(SONARS, options.sonar_range_m, len(self._members))
         self._camera = BlobCamera(np.deg2rad(options.camera_fov_deg), options.camera_range_m, options.camera_columns)
         self._speed = (options.full_speed_mps, float(np.deg2rad(options.full_turn_degps)))
@@ -54,7 +55,7 @@ class Company:
         """
         if not self._members:
             return
-        if self._ticks % self._every == 0:
+        if self._ticks == 0 or self._ticks % self._every == 1 % self._every:
             self._sensed = self._sense(poses)
         self._ticks += 1
         full_speed, full_turn = self._speed
@@ -70,12 +71,9 @@ class Company:
             starts, ends = np.concatenate((starts, sight.starts)), np.concatenate((ends, sight.ends))
         fractions = self._bullet.cast(starts, ends)
         rays = len(self._members) * len(SONARS)
-        ranges = self._ring.ranges_m(fractions[:rays])
+        ranges = self._noise.read(self._ring.ranges_m(fractions[:rays])).tolist()
         bearings = self._bearings(sights, fractions[rays:])
-        return [
-            sensed(noise.read(row).tolist(), bearings.get(i))
-            for i, noise, row in zip(self._members, self._noise, ranges, strict=True)
-        ]
+        return [sensed(row, bearings.get(i)) for i, row in zip(self._members, ranges, strict=True)]
 
     def _sights(self, poses: Sequence[Pose]) -> dict[int, Sight]:
         """Return what each hunter could see of the learner, where it could see any."""
@@ -98,8 +96,3 @@ class Company:
 def _actor(robot: Robot, options: PioneerOptions, seed: int) -> Prey:
     rng = stream(seed, f"pioneer.{robot.name}.controller")
     return Predator(options.predator, rng) if robot.controller == "predator" else Prey(options.prey, rng)
-
-
-def _noise(robot: Robot, options: PioneerOptions, seed: int) -> ReadNoise:
-    rng = stream(seed, f"pioneer.{robot.name}.sonar")
-    return ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, rng)

@@ -35,13 +35,13 @@ class Shapes:
     def show(self, poses: Sequence[Pose]) -> None:
         """Put every body at its pose."""
         for i, pose in enumerate(poses):
-            if self._shown[i] is not pose:
-                self.show_one(i, pose)
+            self.show_one(i, pose)
 
     def show_one(self, index: int, pose: Pose) -> None:
-        """Put one body at its pose."""
-        self._shown[index] = pose
-        self._place(self.bodies[index], pose)
+        """Put one body at its pose, unless it is shown there."""
+        if self._shown[index] is not pose:
+            self._shown[index] = pose
+            self._place(self.bodies[index], pose)
 
 
 class Drive(abc.ABC):
@@ -79,19 +79,19 @@ class KinematicDrive(Drive):
         self._tick_s = tick_s
 
     def tick(self, commands: Sequence[Command]) -> list[int]:
-        self._shapes.show(self.poses)
         return [self._move(i, command) for i, command in enumerate(commands)]
 
     def touches(self, index: int) -> int:
-        """Return what the robot's shape touches where it is shown."""
-        touch, bodies = self._bullet.touch, self._shapes.bodies
-        body = bodies[index]
-        if touch(body, self._walls):
+        """Return what the robot's shape touches where it is shown; other robots are where they are now."""
+        body = self._shapes.bodies[index]
+        if self._bullet.touch(body, self._walls):
             return WALLS
         x, y, _ = self.poses[index]
-        for other, (u, v, _) in enumerate(self.poses):
-            if other != index and (u - x) ** 2 + (v - y) ** 2 < NEAR_M**2 and touch(body, bodies[other]):
-                return other
+        for other, pose in enumerate(self.poses):
+            if abs(pose[0] - x) < NEAR_M and abs(pose[1] - y) < NEAR_M and other != index:
+                self._shapes.show_one(other, pose)
+                if self._bullet.touch(body, self._shapes.bodies[other]):
+                    return other
         return FREE
 
     def _move(self, index: int, command: Command) -> int:

@@ -78,7 +78,7 @@ class Senses:
         self._learner = learner
         self._camera = camera
         self._ring = SonarRing(range(len(SONARS)), options.sonar_range_m)
-        self._noise = ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, rng)
+        self._noise = ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, [rng])
         self._past: deque[Sequence[Pose]] = deque(maxlen=options.sensor_latency + 1)
         self._stalls: deque[bool] = deque(maxlen=options.stall_latency + 1)
 
@@ -92,7 +92,7 @@ class Senses:
         poses = self._past[0]
         self._shapes.show(poses)
         fractions = self._bullet.cast(*self._ring.rays([poses[self._learner]]))
-        ranges = self._noise.read(self._ring.ranges_m(fractions)[0])
+        ranges = self._noise.read(self._ring.ranges_m(fractions))[0]
         ranges.setflags(write=False)
         return PioneerState(sonar_m=ranges, blobs=self._camera.look(poses), stalled=self._stalls[0])
 

@@ -88,30 +88,31 @@ class SonarRing:
 
 
 class ReadNoise:
-    """Read noise of one robot's ring: each range is off by a uniform share, and never above the largest range.
+    """Read noise of the rings of some robots: each range is off by a uniform share, and never above the largest range.
 
     Choice: Pyro redraws the noise at each read; a read beyond the largest range is the largest range
     (docs/fidelity.md).
 
     Args:
         noise: Largest share, 0.05 for 5 %.
-        sonars: Number of sonars.
+        sonars: Number of sonars of a robot.
         range_m: Largest range.
-        rng: The ring's own random numbers.
+        rngs: Each ring's own random numbers.
     """
 
-    def __init__(self, noise: float, sonars: int, range_m: float, rng: np.random.Generator) -> None:
+    def __init__(self, noise: float, sonars: int, range_m: float, rngs: Sequence[np.random.Generator]) -> None:
         self._noise = noise
         self._shape = (BLOCK, sonars)
         self._range_m = range_m
-        self._rng = rng
+        self._rngs = tuple(rngs)
         self._factors: Iterator[Floats] = iter(())
 
     def read(self, ranges_m: Floats) -> Floats:
-        """Return the ranges, shape (sonars,), as they are read this time."""
+        """Return the ranges, shape (robots, sonars), as they are read this time."""
         factors = next(self._factors, None)
         if factors is None:
-            self._factors = iter(1.0 + self._noise * self._rng.uniform(-1.0, 1.0, self._shape))
+            drawn = [rng.uniform(-1.0, 1.0, self._shape) for rng in self._rngs]
+            self._factors = iter(1.0 + self._noise * np.stack(drawn, axis=1))
             factors = next(self._factors)
         read = ranges_m * factors
         return np.minimum(read, self._range_m, out=read)
