@@ -40,7 +40,7 @@ def closed_loop_work(name: str, scene: str) -> Work:
     calls = list(log.calls)
     replayed, _ = _world(scene, logged=False)
     replayed.reset(SEED)
-    bare = bound(calls, load_pybullet(), replayed._bullet._client)
+    bare = bound(calls, load_pybullet(), replayed._bullet.client)
     timed, _ = _world(scene, logged=False)
     return {
         f"{name}: closed loop": (_drive(timed), DECISIONS),

@@ -118,6 +118,18 @@ class Action(BaseModel):
 ActionT = TypeVar("ActionT", bound=Action)
 
 
+def rebuilt(action: ActionT, changes: dict[str, float] | None = None) -> ActionT:
+    """Return a validated copy of an action, with other values for some components.
+
+    Raises:
+        ValidationError: pydantic's, if the action or a change is not sound.
+    """
+    values = action.__dict__
+    if len(values) != len(action.vocabulary.fields):  # a subclass may cache properties there
+        values = {name: values[name] for name in action.vocabulary.fields}
+    return type(action)(**(values | changes if changes else values))
+
+
 def vocabulary_of(cls: type[Action]) -> Vocabulary:
     """Return what an action class says it can say; raises ContractError where that makes no sense."""
     kinds = _kinds(cls)

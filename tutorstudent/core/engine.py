@@ -12,19 +12,19 @@ from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from typing import Generic
 
-from tutorstudent.core.actions import ActionT, Group
+from tutorstudent.core.actions import ActionT, Group, rebuilt
 from tutorstudent.core.component import Binding, Component, EnginePart, Learned
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.grading import Graded, Grader
-from tutorstudent.core.guard import Guard, OnIncident, checked_replica, replica, sealed
+from tutorstudent.core.guard import Guard, OnIncident, checked_replica, sealed
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.judging import Judge
 from tutorstudent.core.leaves import Condition
-from tutorstudent.core.levels import Executed, LevelLimiter, reached_level
+from tutorstudent.core.levels import LevelLimiter, reached_level
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.proposals import ProposalT, exact_level
 from tutorstudent.core.records import Decision, Incident, Moment, StateT, Turn
-from tutorstudent.core.rendering import Permitted
+from tutorstudent.core.rendering import NOTHING, Permitted
 from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
 from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
@@ -117,13 +117,15 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
 
         A decision that was never judged is dropped.
         """
-        self.drop()
+        if self._pending is not None:
+            self.drop()
         self._guard.turn = []
         original, shown, situation, failed = self._seat.ask(self.decisions, state)
         groups = self.tutor.action.vocabulary.groups[original.kind]
         moment = Moment(self.decisions, state, shown, situation)
         if failed:
-            self._void, self._levels.previous = "the tutor failed", None
+            self._void = "the tutor failed"
+            self._levels.forget()
             graded = self._grader.fall_back(original, groups)
         else:
             graded = self._grader.grade(moment, original, groups)
@@ -141,8 +143,10 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         if self._pending is None:
             return None
         pending, self._pending = self._pending, None
-        self._seat.tell(pending.decision.moment.number, pending.decision.executed)
-        outcome = self._judge.judge(pending.decision.moment.number, resulting_state)
+        number = pending.decision.moment.number
+        if self._seat.hears:
+            self._seat.tell(number, pending.decision.executed)
+        outcome = self._judge.judge(number, resulting_state)
         incidents = len(self._guard.turn)
         lesson = None if self._void else self._teacher.teach(pending, outcome)
         decision = pending.decision if len(self._guard.turn) == incidents else pending.renewed()
@@ -166,7 +170,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
                 f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
             )
         decision, original, _, groups, seals = self._pending
-        own, record = checked_replica(action, "executed()"), replica(action)
+        own, record = checked_replica(action, "executed()"), rebuilt(action)
         if self._void in (ELSE_EXECUTED, UNTOLD):
             self._void = ""  # an earlier word about the same decision is taken back
         level, permitted = self._reached(self._pending, own)
@@ -174,7 +178,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         resulting = decision.resulting._replace(level=level)
         decision = decision._replace(selected=selected, resulting=resulting, executed=record)
         self._pending = Pending(decision, original, own, groups, (seals[0], sealed(record)))
-        self._levels.previous = Executed(original.kind, permitted)
+        self._levels.remember(original.kind, permitted)
 
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
@@ -186,7 +190,8 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         if self._pending is not None:
             pending, self._pending = self._pending, None
             self._judge.forget()
-            self._seat.tell(pending.decision.moment.number, pending.decision.executed)
+            if self._seat.hears:
+                self._seat.tell(pending.decision.moment.number, pending.decision.executed)
             self.last = Turn(pending.decision, None, None, tuple(self._guard.turn), self._void or "dropped")
         self._void = ""
 
@@ -194,7 +199,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """Begin a trial. Decision count, learning phase and what was learned stay."""
         self.drop()
         self._judge.forget()
-        self._levels.previous = None
+        self._levels.forget()
         self._seat.reset(self.decisions)
         for slot, part in self.slots():
             if slot != "tutor" and isinstance(part, EnginePart):
@@ -233,7 +238,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         except BaseException as error:
             self._void = UNTOLD
             self._guard.record(decision.moment.number, "amplifier", error)
-        return 0, Permitted(0, (0.0,) * len(groups))
+        return 0, NOTHING
 
     def _remember(
         self,
@@ -246,7 +251,9 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         shown = graded.resulting.action
         if shown is not moment.tutor_action:
             moment = moment._replace(tutor_action=shown)
-        record = shown if action is original else replica(action)
+        record = shown if action is original else rebuilt(action)
         decision = Decision(moment, graded.selected, graded.resulting, record, graded.proposal)
-        self._pending = Pending(decision, original, action, groups, (sealed(shown), sealed(record)))
-        self._levels.previous = Executed(original.kind, graded.permitted)
+        seal = sealed(shown)
+        seals = (seal, seal if record is shown else sealed(record))
+        self._pending = Pending(decision, original, action, groups, seals)
+        self._levels.remember(original.kind, graded.permitted)

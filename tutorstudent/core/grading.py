@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Generic, NamedTuple
 
-from tutorstudent.core.actions import ActionT, Group
-from tutorstudent.core.guard import Breach, Guard, check_intact, received, replica, sealed
+from tutorstudent.core.actions import ActionT, Group, rebuilt
+from tutorstudent.core.guard import Breach, Guard, check_intact, received, sealed
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Student
 from tutorstudent.core.levels import LevelLimiter
 from tutorstudent.core.proposals import Proposal, ProposalT
@@ -49,29 +49,25 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
                     "wrong-return", f"propose() returned {type(proposal).__name__}; return {self._proposal.__name__}."
                 )
             part = "selector"
-            selected = received(self._selector.select(shown, proposal), shown, seal)
+            selected = received(self._selector.select(shown, proposal), shown)
+            check_intact(shown, seal)
             part = "amplifier"
             level = self._levels.select(selected.level, original, groups)
-            if level != selected.level:
-                selected = GradedAction(shown, level, selected.ampbit)
-            resulting = received(self._amplifier.amplify(selected, moment.number), shown, seal)
+            selected = _at(selected, level)
+            resulting = received(self._amplifier.amplify(selected, moment.number), shown)
+            check_intact(shown, seal)
             level, permitted = self._levels.result(level, resulting.level, original, groups)
         except KeyboardInterrupt:
             raise
         except BaseException as error:
             self._guard.record(moment.number, part, error)
             return self.fall_back(original, groups)
-        return Graded(
-            GradedAction(shown, level, selected.ampbit),
-            GradedAction(shown, permitted.level, resulting.ampbit),
-            permitted,
-            proposal,
-        )
+        return Graded(_at(selected, level), _at(resulting, permitted.level), permitted, proposal)
 
     def fall_back(self, original: ActionT, groups: tuple[Group, ...]) -> Graded[ActionT]:
         """Return the tutor's own action at level 0 (through slew where that is set), ampbit 1."""
         permitted = self._levels.fall_back(original, groups)
-        graded = GradedAction(replica(original), permitted.level, True)
+        graded = GradedAction(rebuilt(original), permitted.level, True)
         return Graded(graded, graded, permitted, None)
 
     def render(
@@ -84,5 +80,9 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
             raise
         except BaseException as error:
             self._guard.record(number, "action", error)
-            self._levels.previous = None
+            self._levels.forget()
             return original, self.fall_back(original, groups)
+
+
+def _at(graded: GradedAction[ActionT], level: int) -> GradedAction[ActionT]:
+    return graded if graded.level == level else GradedAction(graded.action, level, graded.ampbit)

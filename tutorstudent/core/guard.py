@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from pydantic import ValidationError
 
-from tutorstudent.core.actions import Action, ActionT
+from tutorstudent.core.actions import Action, ActionT, rebuilt
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.proposals import exact_bit, exact_level
 from tutorstudent.core.records import GradedAction, Incident
@@ -74,16 +74,10 @@ def _say(error: BaseException) -> str:
         return f"{name} (its message could not be read)"
 
 
-def replica(action: ActionT) -> ActionT:
-    """Return a validated copy of an action; raises pydantic's ValidationError if the action is not sound."""
-    values = action.__dict__
-    return type(action)(**{name: values[name] for name in action.vocabulary.fields})
-
-
 def checked_replica(action: ActionT, what: str) -> ActionT:
     """Return a validated copy of an action that somebody handed in; raises ContractError if it is not sound."""
     try:
-        return replica(action)
+        return rebuilt(action)
     except (ValidationError, KeyError) as error:
         problem = error.errors(include_url=False)[0]["msg"] if isinstance(error, ValidationError) else f"no {error}"
         raise ContractError(f"{what}: the {type(action).__name__} is not sound: {problem}.") from None
@@ -104,15 +98,16 @@ def check_intact(shown: Action, seal: Seal) -> None:
         raise Breach("mutated", "the action was changed; records are for reading.")
 
 
-def received(graded: Any, shown: ActionT, seal: Seal) -> GradedAction[ActionT]:
+def received(graded: Any, shown: ActionT) -> GradedAction[ActionT]:
     """Return a part's graded action with plain values, round the action that the part was shown."""
-    check_intact(shown, seal)
     if type(graded) is not GradedAction:
         raise Breach("wrong-return", f"returned {type(graded).__name__}; return a GradedAction.")
-    if graded.action is not shown and graded.action != shown:
+    action, level, ampbit = graded
+    if action is shown and type(level) is int and level >= 0 and (ampbit is True or ampbit is False):
+        return graded
+    if action is not shown and action != shown:
         raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
-    level, ampbit = exact_level(graded.level), exact_bit(graded.ampbit)
+    level, ampbit = exact_level(level), exact_bit(ampbit)
     if level < 0:
         raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
-    plain = graded.action is shown and level is graded.level and ampbit is graded.ampbit
-    return graded if plain else GradedAction(shown, level, ampbit)
+    return GradedAction(shown, level, ampbit)

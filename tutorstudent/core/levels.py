@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from tutorstudent.core.actions import Action, Group
 from tutorstudent.core.interfaces import Amplifier
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.rendering import (
+    NOTHING,
     Fractions,
     Permitted,
     can_move,
@@ -23,13 +24,6 @@ HIGHEST_LEVEL = 1000
 _ROUNDING = 1e-9
 
 
-class Executed(NamedTuple):
-    """What was executed last: the level from which `Limits.slew` counts."""
-
-    kind: str
-    permitted: Permitted
-
-
 class LevelLimiter:
     """Applies cap, factor and slew.
 
@@ -38,21 +32,30 @@ class LevelLimiter:
     """
 
     def __init__(self, limits: Limits, amplifier: Amplifier[Any]) -> None:
-        self._limits = limits
+        self._limits, self._slew = limits, limits.slew
         self._change = amplifier.change
         self._amount = amplifier.amount
-        self.previous: Executed | None = None
+        self._sized: tuple[Action | None, Fractions] = (None, ())
+        self.forget()
+
+    def forget(self) -> None:
+        """Begin a trial: slew counts from level 0."""
+        self._last_kind, self._last = "", NOTHING
+
+    def remember(self, kind: str, executed: Permitted) -> None:
+        """Take in what is executed: slew counts from there."""
+        self._last_kind, self._last = kind, executed
 
     def permit(self, level: int, original: Action, groups: tuple[Group, ...]) -> Permitted:
         """Return the highest level up to `level` that cap and factor allow."""
         level = min(level, HIGHEST_LEVEL)
-        values, change, amount = original.__dict__, self._change, self._amount
-        sizes = magnitudes(groups, values) if level else ()
+        change, amount = self._change, self._amount
+        sizes = self._sizes(original, groups) if level else ()
 
         def fractions_at(level: int) -> Fractions:
             return tuple([exact_fraction(change.fraction(level * amount, size)) for size in sizes])
 
-        return permitted(level, groups, values, fractions_at, self._limits)
+        return permitted(level, groups, original.__dict__, fractions_at, self._limits)
 
     def select(self, level: int, original: Action, groups: tuple[Group, ...]) -> int:
         """Return what the limits leave of a selected level."""
@@ -66,10 +69,12 @@ class LevelLimiter:
         The selected level is only raised where slew holds the resulting level up, so that slowing down is never taken
         for amplification.
         """
+        if resulting == 0 and self._slew is None:
+            return selected, NOTHING
         if resulting > selected and not can_move(groups, original.__dict__):
             resulting = selected
         result = self.permit(min(resulting, self._ceiling(original.kind, resulting)), original, groups)
-        if self._limits.slew is not None and (floor := self._floor(original.kind)) > result.level:
+        if self._slew is not None and (floor := self._floor(original.kind)) > result.level:
             result = self.permit(floor, original, groups)
             selected = max(selected, result.level)
         return selected, result
@@ -80,23 +85,29 @@ class LevelLimiter:
         The way down reuses the distances that were last executed, since the amplifier may be what is broken.
         """
         floor = self._floor(original.kind)
-        if floor == 0 or self.previous is None:
-            return Permitted(0, (0.0,) * len(groups))
-        last = self.previous.permitted
+        if floor == 0:
+            return NOTHING
+        last = self._last
 
         def fractions_at(level: int) -> Fractions:
             return tuple([fraction * level / last.level for fraction in last.fractions])
 
         return permitted(floor, groups, original.__dict__, fractions_at, self._limits)
 
+    def _sizes(self, original: Action, groups: tuple[Group, ...]) -> Fractions:
+        # Most decisions ask twice, and a tutor with a finite vocabulary says the same object for long.
+        if original is not self._sized[0]:
+            self._sized = original, magnitudes(groups, original.__dict__)
+        return self._sized[1]
+
     def _last_level(self, kind: str) -> int:
-        return self.previous.permitted.level if self.previous is not None and self.previous.kind == kind else 0
+        return self._last.level if self._last_kind == kind else 0
 
     def _ceiling(self, kind: str, level: int) -> int:
-        return level if self._limits.slew is None else self._last_level(kind) + self._limits.slew
+        return level if self._slew is None else self._last_level(kind) + self._slew
 
     def _floor(self, kind: str) -> int:
-        return 0 if self._limits.slew is None else max(0, self._last_level(kind) - self._limits.slew)
+        return 0 if self._slew is None else max(0, self._last_level(kind) - self._slew)
 
 
 def reached_level(
@@ -125,6 +136,8 @@ def reached_level(
 
 def _progress_of(level: int, original: Action, groups: tuple[Group, ...], levels: LevelLimiter) -> list[float]:
     own, fractions = original.__dict__, levels.permit(level, original, groups).fractions
+    if not fractions:
+        return [0.0] * len(groups)
     ends = [
         dict(zip(group.names, moved(group, own, fraction), strict=True))
         for group, fraction in zip(groups, fractions, strict=True)

@@ -10,12 +10,12 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from tutorstudent.core.actions import ActionT, Group
+from tutorstudent.core.actions import ActionT, Group, rebuilt
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.proposals import exact_number
 
 Fractions = tuple[float, ...]
-"""One distance for each group of the action's kind, in units of the group's scale."""
+"""One distance for each group of the action's kind, in units of the group's scale; none where nothing moves."""
 
 # 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant.
 _ROUNDING = 1e-9
@@ -26,6 +26,9 @@ class Permitted(NamedTuple):
 
     level: int
     fractions: Fractions
+
+
+NOTHING = Permitted(0, ())
 
 
 def deviation(group: Group, values: Mapping[str, float]) -> float:
@@ -72,13 +75,13 @@ def _moved_vector(group: Group, values: list[float], distance: float) -> tuple[f
 def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -> ActionT:
     """Return the tutor's action with every group moved by its fraction; the original itself where nothing moves."""
     values = original.__dict__
+    if not fractions:
+        return original
     changed: dict[str, float] = {}
     for group, fraction in zip(groups, fractions, strict=True):
         if fraction > 0:
             changed.update(zip(group.names, moved(group, values, fraction), strict=True))
-    if not changed:
-        return original
-    return type(original)(**{name: changed.get(name, values[name]) for name in original.vocabulary.fields})
+    return rebuilt(original, changed) if changed else original
 
 
 def permitted(
@@ -93,12 +96,12 @@ def permitted(
     Fractions are taken to grow with the level. The level that is returned was tried itself, so a change that does not
     grow costs amplification and never breaks a limit.
     """
-    if level == 0 or not groups:
-        return Permitted(level, (0.0,) * len(groups))
+    if level == 0:
+        return NOTHING
     fractions = fractions_at(level)
     if within(fractions, groups, values, limits):
         return Permitted(level, fractions)
-    low, high, best = 0, level, (0.0,) * len(groups)
+    low, high, best = 0, level, NOTHING.fractions
     while high - low > 1:
         middle = (low + high) // 2
         fractions = fractions_at(middle)

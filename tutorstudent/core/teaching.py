@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Generic, NamedTuple
 
-from tutorstudent.core.actions import ActionT, Group
-from tutorstudent.core.guard import Breach, Guard, Seal, check_intact, received, replica
+from tutorstudent.core.actions import ActionT, Group, rebuilt
+from tutorstudent.core.guard import Breach, Guard, Seal, check_intact, received
 from tutorstudent.core.interfaces import Evaluator, Student
 from tutorstudent.core.records import Decision, Lesson, Outcome, StateT
 
@@ -29,12 +29,12 @@ class Pending(NamedTuple):
 
     def renewed(self) -> Decision[Any, Any]:
         """Return the decision with fresh copies, for the record, after a part spoilt the old ones."""
-        decision, shown = self.decision, replica(self.original)
+        decision, shown = self.decision, rebuilt(self.original)
         return decision._replace(
             moment=decision.moment._replace(tutor_action=shown),
             selected=decision.selected._replace(action=shown),
             resulting=decision.resulting._replace(action=shown),
-            executed=replica(self.executed),
+            executed=rebuilt(self.executed),
         )
 
 
@@ -57,7 +57,7 @@ class Teacher(Generic[StateT, ActionT]):
                 return None
             if type(lesson) is not Lesson:
                 raise Breach("wrong-return", f"evaluate() returned {type(lesson).__name__}; return a Lesson or None.")
-            target = received(lesson.target, shown, pending.seals[0])
+            target = received(lesson.target, shown)
             if target is not lesson.target:
                 lesson = lesson._replace(target=target)
             _check_evidence(lesson, decision, outcome)

@@ -3,22 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, NamedTuple
+from typing import Any, Generic
 
-from tutorstudent.core.actions import ActionT
+from tutorstudent.core.actions import ActionT, rebuilt
 from tutorstudent.core.errors import ContractError
-from tutorstudent.core.guard import Guard, replica
+from tutorstudent.core.guard import Guard
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.records import StateT
-
-
-class Asked(NamedTuple, Generic[ActionT]):
-    """What the tutor said. Nobody but the engine sees the original."""
-
-    original: ActionT
-    shown: ActionT
-    situation: str
-    failed: bool
 
 
 class TutorSeat(Generic[StateT, ActionT]):
@@ -26,10 +17,14 @@ class TutorSeat(Generic[StateT, ActionT]):
 
     def __init__(self, tutor: Tutor[StateT, ActionT], guard: Guard, on_failure: ActionT | None) -> None:
         self._tutor, self._guard, self._on_failure = tutor, guard, on_failure
-        self._hears = type(tutor).executed is not Tutor.executed
+        self.hears = type(tutor).executed is not Tutor.executed
 
-    def ask(self, number: int, state: StateT) -> Asked[ActionT]:
-        """Call the tutor once and return a sound action."""
+    def ask(self, number: int, state: StateT) -> tuple[ActionT, ActionT, str, bool]:
+        """Call the tutor once.
+
+        Returns:
+            A sound action that nobody but the engine sees, its copy, the situation, and whether the tutor failed.
+        """
         try:
             action = self._tutor.act(state)
             if type(action) is not self._tutor.action:
@@ -37,29 +32,27 @@ class TutorSeat(Generic[StateT, ActionT]):
                     f"tutor '{self._tutor.name}' returned {type(action).__name__}; "
                     f"expected {self._tutor.action.__name__}. Tutors return an action of their class for every state."
                 )
-            return Asked(action, replica(action), self._situation(), False)
+            shown, situation = rebuilt(action), self._tutor.situation
+            if not isinstance(situation, str):
+                raise ContractError(
+                    f"tutor '{self._tutor.name}': situation is {situation!r}; it is a string, '' for none."
+                )
+            return action, shown, situation, False
         except KeyboardInterrupt:
             raise
         except BaseException as error:
             if self._on_failure is None:
                 raise
             self._guard.record(number, "tutor", error)
-            return Asked(self._on_failure, replica(self._on_failure), "", True)
+            return self._on_failure, rebuilt(self._on_failure), "", True
 
     def tell(self, number: int, executed: ActionT) -> None:
-        """Tell a tutor that listens what was really executed."""
-        if self._hears:
-            self._call(number, lambda: self._tutor.executed(replica(executed)))
+        """Tell the tutor what was really executed; for tutors that listen (`hears`)."""
+        self._call(number, lambda: self._tutor.executed(rebuilt(executed)))
 
     def reset(self, number: int) -> None:
         """Begin a trial."""
         self._call(number, self._tutor.reset)
-
-    def _situation(self) -> str:
-        situation = self._tutor.situation
-        if not isinstance(situation, str):
-            raise ContractError(f"tutor '{self._tutor.name}': situation is {situation!r}; it is a string, '' for none.")
-        return situation
 
     def _call(self, number: int, function: Callable[[], Any]) -> None:
         if self._on_failure is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from tests.core.oracle.shapes import LAWS, Arm, Shape, Values
@@ -189,14 +190,23 @@ def _ends(rules: Rules, arm: Arm, tutor: Values, level: int) -> Values:
     if arm.direction in ("+", "-"):
         way = [1.0 if arm.direction == "+" else -1.0]
     else:
-        length = _size(arm, tutor)
-        way = [part / length if length else 0.0 for part in _offsets(arm, tutor)]
+        way = _heading(_offsets(arm, tutor))
     room = distance
     for name, part in zip(arm.names, way, strict=True):
         low, high = rules.shape.bounds[name]
         if part:
             room = min(room, ((high if part > 0 else low) - tutor[name]) / part)
     return {name: tutor[name] + max(room, 0.0) * part for name, part in zip(arm.names, way, strict=True)}
+
+
+def _heading(offsets: list[float]) -> list[float]:
+    """Return the unit vector; by exact fractions, since the length of the faintest numbers would be rounded."""
+    longest = max(abs(part) for part in offsets)
+    if not longest:
+        return [0.0] * len(offsets)
+    ratios = [Fraction(part) / Fraction(longest) for part in offsets]
+    length = math.sqrt(sum(ratio * ratio for ratio in ratios))
+    return [float(ratio) / length for ratio in ratios]
 
 
 def _shown(rules: Rules, arms: tuple[Arm, ...], tutor: Values, executed: Values, level: int) -> Iterator[Breach]:
