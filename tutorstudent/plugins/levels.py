@@ -158,6 +158,7 @@ class GradeCode:
     def __init__(self, options: GradeOptions) -> None:
         self._level = self.CODES[options.level](options.max_level)
         self._wraps = options.overflow == "wrap"
+        self._codes: dict[tuple[int, bool], tuple[float, ...]] = {}
         self.width = self._level.width + 1
         """How many numbers a grade takes."""
 
@@ -167,13 +168,19 @@ class GradeCode:
         Raises:
             ValueError: The level is below 0.
         """
-        if target.level < 0:
-            raise ValueError(f"level {target.level} cannot be taught; levels start at 0.")
-        return (*self._level.encode(self._taught(target.level)), float(target.ampbit))
+        grade = (target.level, target.ampbit)
+        if grade not in self._codes:
+            self._codes[grade] = self._encoded(*grade)
+        return self._codes[grade]
 
     def decode(self, values: Sequence[float]) -> tuple[int, bool]:
         """Return the level and the ampbit that finite numbers stand for."""
         return self._level.decode(values[:-1]), values[-1] > THRESHOLD
+
+    def _encoded(self, level: int, ampbit: bool) -> tuple[float, ...]:
+        if level < 0:
+            raise ValueError(f"level {level} cannot be taught; levels start at 0.")
+        return (*self._level.encode(self._taught(level)), float(ampbit))
 
     def _taught(self, level: int) -> int:
         highest = self._level.max_level
