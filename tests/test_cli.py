@@ -74,6 +74,7 @@ def test_settings_take_the_place_of_the_files_values(tmp_path: Path) -> None:
         (["run", str(FULL), "--set", "nonsense"], "--set nonsense: write key=value, as in --set world.scene=cave-box."),
         (["run", str(FULL), "--set", "decisions.x=3"], "decisions.x: 'decisions' is 10000, not a mapping; set"),
         (["run", str(FULL), "--set", "conditions.0=near"], "conditions.0: 'conditions' is ['bumped'], not a mapping"),
+        (["report", "absent"], "absent"),
         (["run", str(FULL), "--out", __file__], "is a file; name a directory for the run."),
     ],
 )
@@ -156,7 +157,7 @@ def test_schema_prints_a_schema() -> None:
     assert "tutorstudent pipeline" == json.loads(result.stdout)["title"]
 
 
-@pytest.mark.parametrize("words", [[], ["run"], ["compare"], ["plugins", "list"], ["schema"]])
+@pytest.mark.parametrize("words", [[], ["run"], ["compare"], ["report"], ["plugins", "list"], ["schema"]])
 def test_every_command_has_help(words: list[str]) -> None:
     result = CliRunner().invoke(app, [*words, "--help"])
     assert 0 == result.exit_code

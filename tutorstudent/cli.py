@@ -18,7 +18,7 @@ from tutorstudent.core.rundir import prepare, run_pipeline, write_run
 from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.settings import read_settings
 from tutorstudent.progress import ProgressBar
-from tutorstudent.study.command import compare
+from tutorstudent.study.command import compare, report
 
 app = typer.Typer(
     name="tutorstudent",
@@ -30,6 +30,7 @@ app = typer.Typer(
 plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
 app.add_typer(plugins, name="plugins")
 app.command()(compare)
+app.command()(report)
 
 PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[

@@ -31,7 +31,8 @@ def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_pa
     assert 0 == result.exit_code, result.output
     names = {"plan.json", "sketches", "runs", "results.csv", "table.md", "report.html"}
     assert names == {path.name for path in out.iterdir()}
-    assert "What was found" in result.output
+    assert "2 runs each, mean ± standard deviation" in result.output
+    assert "The page: " in result.output
     assert "12 runs, 0 failed." in result.output
     assert 12 == len(list(out.glob("runs/short/*/*/decisions.npz")))
 

@@ -54,6 +54,16 @@ def typical(values: Sequence[float]) -> str:
     return f"{number(runs.mean)} ± {number(runs.sd)} ({count(runs.median)})"
 
 
+def about(values: Sequence[float]) -> str:
+    """Mean and standard deviation.
+
+    >>> about([1.0, 2.0, 6.0])
+    '3.0 ± 2.6'
+    """
+    runs = spread(values)
+    return f"{number(runs.mean)} ± {number(runs.sd)}"
+
+
 def heavy_tailed(values: Sequence[float]) -> str:
     """Mean, standard deviation, median, and the worst run, which the others hide.
 
@@ -132,4 +142,16 @@ def conduct() -> list[Column]:
         Column("amplified (mean)", "amplified_share", percent),
         Column("mean level", "mean_level", mean),
         Column("incidents (sum)", "incidents", total),
+    ]
+
+
+def digest(counters: Iterable[str]) -> list[Column]:
+    """Return the few columns that fit a narrow terminal."""
+    return [
+        *(Column(name, name, about) for name in counters),
+        Column("collided", "collided", about),
+        Column("contacts", "contacts", about),
+        Column("way, m", "distance_m", mean),
+        Column("stall", "longest_stall", highest),
+        Column("level", "mean_level", mean),
     ]

@@ -20,7 +20,13 @@ from tutorstudent.study.planning import Request, make_plan
 from tutorstudent.study.requests import read_pipelines, read_setting, read_variation
 from tutorstudent.study.resolving import reread, sketch_of
 from tutorstudent.study.sketches import save_sketch
-from tutorstudent.study.tables import tables
+from tutorstudent.study.tables import digest_table
+
+
+LEGEND = (
+    "collided: decisions in which the robot's own motion was refused. contacts: how often that began. way: distance "
+    "travelled. stall: longest run of collided decisions. level: mean amplification level."
+)
 
 
 def compare(
@@ -97,16 +103,28 @@ def _problems(results: Iterable[Finished], progress: Progress, task: int) -> Ite
             yield finished
 
 
+def report(
+    folder: Annotated[Path, typer.Argument(help="Folder of a comparison.", show_default=False)],
+) -> None:
+    """Make tables and page of a comparison again, from what is on disk; nothing is run."""
+    check_extras()
+    show(folder)
+
+
 def show(out: Path) -> None:
-    """Write the report and print its tables."""
-    from tutorstudent.study.report import PAGE, write_report  # matplotlib is an extra
+    """Write the report and print a digest of its tables."""
+    from tutorstudent.study.report import MARKDOWN, PAGE, write_report  # matplotlib is an extra
 
     console = Console()
     study = write_report(out)
     for environment in study.plan.environments:
         console.rule(environment.name, align="left")
-        for table in tables(study, environment):
-            console.print(terminal(table), "\n")
+        console.print(terminal(digest_table(study, environment)), "\n")
     if not any(environment.counters() for environment in study.plan.environments):
         console.print("Nothing counts what the tutors achieve; name an observer, as in --set 'observers=[attractors]'.")
-    console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. The page: {out / PAGE}", highlight=False)
+    console.print(LEGEND, highlight=False)
+    console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. Controls are in italics.", highlight=False)
+    console.print(
+        f"All tables, with paired differences and intervals: {out / MARKDOWN}", highlight=False, soft_wrap=True
+    )
+    console.print(f"The page: {out / PAGE}", highlight=False, soft_wrap=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from tutorstudent.study.columns import NOTHING, Column, conduct, cost, difference, found
+from tutorstudent.study.columns import NOTHING, Column, conduct, cost, difference, digest, found
 from tutorstudent.study.plan import Environment
 from tutorstudent.study.results import Run, Study
 from tutorstudent.study.statistics import paired_difference
@@ -45,6 +45,13 @@ def tables(study: Study, environment: Environment) -> list[Table]:
         _table(study, environment, "What it cost", cost()),
         _table(study, environment, "What the parts did", conduct()),
     ]
+
+
+def digest_table(study: Study, environment: Environment) -> Table:
+    """Return the one table that a terminal shows; the others stand in the page and in table.md."""
+    title = f"{len(study.plan.seeds)} runs each, mean ± standard deviation"
+    table = _table(study, environment, title, digest(environment.counters()))
+    return Table(title, table.header[1:], tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
 
 
 def runs_table(study: Study, environment: Environment) -> Table:

@@ -187,10 +187,8 @@ def _allowed(rules: Rules, tutor: Said, level: int) -> bool:
 def _ends(rules: Rules, arm: Arm, tutor: Values, level: int) -> Values:
     """Return where a level brings an arm: as far as the law says, or as far as the first bound that it meets."""
     distance = LAWS[rules.law](level * rules.amount, _size(arm, tutor) / arm.scale) * arm.scale
-    if arm.direction in ("+", "-"):
-        way = [1.0 if arm.direction == "+" else -1.0]
-    else:
-        way = _heading(_offsets(arm, tutor))
+    straight = {"+": [1.0], "-": [-1.0]}
+    way = straight.get(arm.direction) or _heading(_offsets(arm, tutor))
     room = distance
     for name, part in zip(arm.names, way, strict=True):
         low, high = rules.shape.bounds[name]
