@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -142,6 +143,30 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
     assert 0 == lenient.returncode
     assert "incidents: student: raised: 7" in lenient.stdout
     assert 1 == tutorstudent(*words, "--out", str(tmp_path / "b"), "--strict", PYTHONPATH=str(tmp_path)).returncode
+
+
+def test_what_plugins_say_is_text_and_no_markup(tmp_path: Path) -> None:
+    info = tmp_path / "acme-1.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1\n")
+    (info / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_condition\n")
+    (tmp_path / "acme_condition.py").write_text(
+        "import tutorstudent as ts\n"
+        "@ts.condition('lost')\n"
+        "def Lost(state):\n"
+        "    'Subscribes to [/cmd_vel].'\n"
+        "    return False\n"
+        "@ts.hookimpl\n"
+        "def tutorstudent_components(): return [Lost]\n"
+    )
+    listed = tutorstudent("plugins", "list", PYTHONPATH=str(tmp_path), COLUMNS="160")
+    assert (0, "") == (listed.returncode, listed.stderr)
+    assert "Subscribes to [/cmd_vel]." in listed.stdout
+
+
+def test_the_installed_command_is_this_one() -> None:
+    (script,) = metadata.entry_points(group="console_scripts", name="tutorstudent")
+    assert main is script.load()
 
 
 def test_plugins_list_prints_json() -> None:

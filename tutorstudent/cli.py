@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
@@ -10,6 +11,7 @@ from typing import Annotated, Any, NoReturn
 import typer
 from rich.console import Console
 from rich.table import Table
+from rich.text import Text
 
 from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.pipeline import Pipeline
@@ -74,7 +76,7 @@ def plugins_list(as_json: AsJson = False) -> None:
         return
     table = Table("role", "name", "plugin", "distribution", "what it is")
     for cls, entry_point, distribution in registry:
-        table.add_row(cls.role, cls.name, entry_point, distribution, _first_line(cls))
+        table.add_row(*map(Text, (cls.role, cls.name, entry_point, distribution, _first_line(cls))))
     Console().print(table)
     for broken in registry.broken:
         _say(f"not loaded: '{broken.entry_point}' ({broken.distribution}): {broken.reason} {broken.remedy}")
@@ -112,7 +114,8 @@ def _first_line(cls: type[Any]) -> str:
 def _print_summary(summary: dict[str, float]) -> None:
     table = Table("what", "value")
     for key, value in summary.items():
-        table.add_row(key, f"{value:,.4g}" if value != int(value) else f"{int(value):,}")
+        whole = math.isfinite(value) and value == int(value)
+        table.add_row(Text(key), f"{int(value):,}" if whole else f"{value:,.4g}")
     Console().print(table)
 
 

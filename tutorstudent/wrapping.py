@@ -38,7 +38,8 @@ def wrap(
         factor: Largest ratio of the executed to the controller's own magnitude.
         slew: Largest change of the amplification level from one decision to the next.
         seed: The one seed.
-        slots: Other slots of a pipeline, as plain values: ``student={"use": "backprop", ...}``.
+        slots: Other slots of a pipeline, as plain values: ``student={"use": "backprop", ...}``; ``limits`` adds to
+            factor and slew.
 
     Raises:
         TutorStudentError: if the parts do not fit; the message says what to do.
@@ -53,7 +54,7 @@ def wrap(
         },
         "selector": "modifier",
         "amplifier": {"use": "learning-phase", "decisions": 0, "change": "multiplicative"},
-        "limits": {"factor": factor, "slew": slew},
+        "limits": {"factor": factor, "slew": slew} | slots.pop("limits", {}),
     }
     pipeline = Pipeline(Document("wrap()", data | slots, {}))
     engine = pipeline.engine(tutor=as_tutor(controller, action), conditions=_named(found))

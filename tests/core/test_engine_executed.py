@@ -163,3 +163,34 @@ def test_a_change_that_breaks_while_the_executed_level_is_told_is_an_incident_an
     wrapped.step(1)
     assert wrapped.student.lessons == []
     assert wrapped.incident_counts == {("amplifier", "raised"): 1}
+
+
+@pytest.mark.parametrize("reported", [[drive(0.0, "stop")], [drive(0.3)], [drive(0.0, "stop"), drive(0.3)]])
+def test_an_emergency_stop_is_not_taken_back_by_what_was_executed(reported: list[DriveAction]) -> None:
+    wrapped = engine(len, level(5), tutor=ScriptedTutor(act=lambda state: drive(0.2)), on_incident="raise")
+    wrapped.step(0)
+    wrapped.void("emergency stop")
+    for executed in reported:
+        wrapped.executed(executed)
+    wrapped.step(1)
+    assert wrapped.last is not None
+    assert (None, "emergency stop") == (wrapped.last.lesson, wrapped.last.void)
+
+
+def test_a_void_without_a_reason_is_void() -> None:
+    wrapped = engine(len, level(5), tutor=ScriptedTutor(act=lambda state: drive(0.2)), on_incident="raise")
+    wrapped.step(0)
+    wrapped.void("")
+    wrapped.step(1)
+    assert wrapped.last is not None
+    assert (None, "no reason given") == (wrapped.last.lesson, wrapped.last.void)
+
+
+def test_a_corrected_word_about_what_was_executed_counts() -> None:
+    wrapped = engine(len, level(5), tutor=ScriptedTutor(act=lambda state: drive(0.2)), on_incident="raise")
+    wrapped.step(0)
+    wrapped.executed(drive(0.0, "stop"))
+    wrapped.executed(drive(0.7))
+    wrapped.step(1)
+    assert wrapped.last is not None
+    assert wrapped.last.lesson is not None

@@ -25,8 +25,20 @@ class Unnamed(Rail):
     name = "Not A Name"
 
 
+class Nameless(Rail):
+    name = None
+
+
 class Roleless(Component):
     name = "roleless"
+
+
+def returning(answer: Any) -> Any:
+    @hookimpl
+    def tutorstudent_components() -> Any:
+        return answer
+
+    return tutorstudent_components
 
 
 @pytest.fixture
@@ -88,6 +100,9 @@ def test_a_third_party_is_found(plugin: Any) -> None:
         ({"tutorstudent_components": hook(Abstract)}, "tutor 'abstract' (Abstract) does not implement act."),
         ({"tutorstudent_components": hook("pusher")}, "tutorstudent_components() returned 'pusher'; return component"),
         ({"tutorstudent_components": hook(Unnamed)}, "Unnamed has the name 'Not A Name'; names are like"),
+        ({"tutorstudent_components": hook(Nameless)}, "Nameless has the name 'None'; names are like"),
+        ({"tutorstudent_components": returning(None)}, "tutorstudent_components() returned []; return a list"),
+        ({"tutorstudent_components": returning(Pusher)}, "return a list of component classes."),
         ({"tutorstudent_components": hook(Roleless)}, "Roleless has the role ''; roles are"),
         ({"tutorstudent_components": hook(Pusher, Pusher)}, "tutor 'pusher' of 'bad' stands there twice"),
     ],

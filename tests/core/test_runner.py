@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.core.toys import PIPELINE, Push, Rail, toy_registry
+from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_registry
 from tutorstudent.core.component import Binding
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.observers import Begin, Entries, Observer, Tally, WorldEvents
@@ -121,3 +121,20 @@ def test_entries_count_each_time_a_situation_begins() -> None:
         moment = turn.decision.moment._replace(situation=situation)
         spins.observe(turn._replace(decision=turn.decision._replace(moment=moment)), Step(0.0, {}, bool(done)))
     assert {"spins": 3.0} == dict(spins.summary())
+
+
+def test_a_second_run_begins_a_new_trial_and_keeps_what_was_learned() -> None:
+    resets = []
+
+    class Remembering(Pusher):
+        def reset(self) -> None:
+            resets.append(1)
+
+    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY)
+    engine = pipeline.engine(tutor=Remembering())
+    run(engine, Rail(), 5, seed=1)
+    learned = dict(engine.state_dict())
+    run(engine, Rail(), 5, seed=1)
+    assert 2 == len(resets)
+    assert 10 == engine.decisions
+    assert learned.keys() <= engine.state_dict().keys()

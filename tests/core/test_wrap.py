@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import array
+import dataclasses
 import re
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -114,10 +116,72 @@ def test_a_mistake_is_told_with_the_remedy(arguments: dict[str, Any], message: s
         ts.wrap(**arguments)
 
 
-@pytest.mark.parametrize("command", [[0.1, 0.2], "full speed", None])
-def test_a_controller_that_returns_something_else_is_named(command: Any) -> None:
-    with pytest.raises((ts.ContractError, ValueError, TypeError)):
+@pytest.mark.parametrize("command", [[0.1, 0.2], "full speed", "0.5", None, True, array.array("d", [0.1])])
+def test_a_controller_that_returns_something_else_is_told_so(command: Any) -> None:
+    with pytest.raises(ts.ContractError, match=r"the controller's command is .*; expected a number."):
         ts.wrap(lambda _: command, action=UNIT).step(0.0)
+
+
+@pytest.mark.parametrize("command", [0.1, [0.1], array.array("d", [0.1, 0.2]), {"x": 1, "y": 2}])
+def test_several_numbers_are_a_list_a_tuple_or_an_array(command: Any) -> None:
+    with pytest.raises(ts.ContractError, match="expected a list, tuple or numpy array of 2 numbers"):
+        ts.wrap(lambda _: command, action=ts.vector(-1, 1, 2)).step(0.0)
+
+
+def test_a_command_out_of_bounds_is_told_with_the_remedy() -> None:
+    with pytest.raises(ts.ContractError, match="command is 1.2: input should be less than or equal to 1. State the"):
+        ts.wrap(lambda _: 1.2, action=UNIT).step(0.0)
+    loop = ts.wrap(half, action=UNIT)
+    loop.step(0.0)
+    with pytest.raises(ts.ContractError, match="command is 1.5"):
+        loop.executed(1.5)
+
+
+def test_a_named_tuple_comes_back_as_one() -> None:
+    class Twist(NamedTuple):
+        v: float
+        w: float
+
+    found = ts.wrap(lambda _: Twist(0.3, 0.4), action=ts.vector(-1, 1, 2)).step(0.0)
+    assert Twist(v=pytest.approx(0.33), w=pytest.approx(0.44)) == found
+    assert type(found) is Twist
+
+
+def test_a_whole_number_is_amplified_like_any_other() -> None:
+    assert 2.2 == pytest.approx(ts.wrap(lambda _: 2, action=ts.scalar(-5, 5)).step(0.0))
+
+
+def test_a_failure_action_comes_back_in_the_shape_of_the_last_command() -> None:
+    def failing(state: float) -> list[float]:
+        if state:
+            raise RuntimeError("sensor lost")
+        return [0.3, 0.4]
+
+    stop = {"kind": "command", "x0": 0.0, "x1": 0.0}
+    loop = ts.wrap(failing, action=ts.vector(-1, 1, 2), on_tutor_failure=stop)
+    assert [0.0, 0.0] == loop.step(1.0)
+    assert pytest.approx([0.33, 0.44]) == loop.step(0.0)
+    assert [0.0, 0.0] == loop.step(1.0)
+
+
+def test_limits_add_to_factor_and_slew() -> None:
+    limits = ts.wrap(half, action=UNIT, limits={"cap": 0.1}).engine.limits
+    assert (0.1, 1.3, 1) == (limits.cap, limits.factor, limits.slew)
+
+
+def test_states_are_copied_and_frozen_all_the_way_down() -> None:
+    @dataclasses.dataclass
+    class Sensed:
+        scan: Any
+
+    seen: list[Any] = []
+    loop = ts.wrap(lambda state: seen.append(state) or 0.5, action=UNIT)
+    buffer = np.zeros(2)
+    for state in ({"scan": buffer}, (buffer, 1), [buffer], Sensed(buffer)):
+        loop.step(state)
+    buffer += 1
+    assert [[0.0, 0.0]] * 4 == [scan.tolist() for scan in (seen[0]["scan"], seen[1][0], seen[2][0], seen[3].scan)]
+    assert not any(scan.flags.writeable for scan in (seen[0]["scan"], seen[1][0], seen[2][0]))
 
 
 def test_an_own_action_class_goes_through_as_it_is() -> None:

@@ -25,20 +25,19 @@ class FunctionTutor(Tutor[Any, Any]):
         self._function = function
         self.action = action
         self.command: Any = None
-        """What the callable returned last, in the owner's own type."""
+        """The last command of the callable that could be read, in the owner's own type."""
         self.said: Action | None = None
         """The same as an action."""
 
     def act(self, state: Any) -> Any:
-        self.command = self._function(state)
-        if isinstance(self.command, self.action):
-            self.said = self.command
+        command = self._function(state)
+        if isinstance(command, self.action):
+            self.said = command
         elif issubclass(self.action, Command):
-            self.said = self.action.read(self.command)
+            self.said = self.action.read(command)
         else:
-            raise ContractError(
-                f"the controller returned {type(self.command).__name__}; expected {self.action.__name__}."
-            )
+            raise ContractError(f"the controller returned {type(command).__name__}; expected {self.action.__name__}.")
+        self.command = command
         return self.said
 
 
@@ -94,15 +93,23 @@ class Loop:
 
 
 def read_only(state: Any) -> Any:
-    """Return a copy of a state that its owner's buffers cannot change any more.
+    """Return a copy of a state that its owner's buffers cannot change any more; its arrays are read-only.
 
-    >>> read_only(np.zeros(2)).flags.writeable
+    >>> frozen = read_only({"scan": np.zeros(2)})
+    >>> frozen["scan"].flags.writeable
     False
     """
+    if state is None or isinstance(state, str | bytes | bool | int | float | complex | np.generic):
+        return state
     if isinstance(state, np.ndarray):
         copied = state.copy()
         copied.setflags(write=False)
         return copied
-    if isinstance(state, list | dict | bytearray):
-        return copy.deepcopy(state)
-    return state
+    if isinstance(state, dict):
+        return {key: read_only(value) for key, value in state.items()}
+    if isinstance(state, list):
+        return [read_only(item) for item in state]
+    if isinstance(state, tuple):
+        items = [read_only(item) for item in state]
+        return state._make(items) if hasattr(state, "_make") else tuple(items)
+    return copy.deepcopy(state)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
-from pydantic import create_model
+from pydantic import ValidationError, create_model
 
 from tutorstudent.core.actions import Action, component, vocabulary_of
 from tutorstudent.core.errors import ContractError
@@ -15,26 +15,48 @@ from tutorstudent.core.errors import ContractError
 class Command(Action):
     """An action of one kind that stands for the owner's own command, a number or an array of numbers."""
 
-    as_array: ClassVar[bool] = False
-
     @classmethod
     def read(cls, command: Any) -> Command:
-        """Return the action that an owner's command stands for."""
+        """Return the action that an owner's command stands for: a number, or a list, tuple or array of numbers.
+
+        Raises:
+            ContractError: if it is nothing of the kind, or out of bounds.
+        """
         names = list(cls.vocabulary.components)
-        values = np.asarray(command, dtype=np.float64).ravel().tolist()
-        if len(values) != len(names):
-            raise ContractError(f"the controller returned {command!r}; expected {len(names)} number(s).")
-        return cls.model_validate(dict(zip(names, values, strict=True)))
+        values = _numbers(command)
+        if values is None or len(values) != len(names):
+            what = "a number" if len(names) == 1 else f"a list, tuple or numpy array of {len(names)} numbers"
+            raise ContractError(f"the controller's command is {command!r}; expected {what}.")
+        try:
+            return cls.model_validate(dict(zip(names, values, strict=True)))
+        except ValidationError as error:
+            problem = error.errors(include_url=False)[0]
+            where = f"'{problem['loc'][-1]}': " if len(names) > 1 else ""
+            raise ContractError(
+                f"the controller's command is {command!r}: {where}{problem['msg'][0].lower()}{problem['msg'][1:]}. "
+                "State the bounds that it keeps, as in action=ts.scalar(-1, 1), or let the controller keep them."
+            ) from None
 
     def write(self, like: Any) -> Any:
-        """Return the command in the type and shape of `like`."""
+        """Return the command in the type and shape of `like`, a command that `read` took."""
         values = [getattr(self, name) for name in self.vocabulary.components]
         if isinstance(like, np.ndarray):
             dtype = like.dtype if like.dtype.kind == "f" else np.float64
             return np.array(values, dtype=dtype).reshape(like.shape)
-        if isinstance(like, list | tuple):
-            return type(like)(values)
+        if isinstance(like, tuple):
+            return like._make(values) if hasattr(like, "_make") else tuple(values)
+        if isinstance(like, list) or (like is None and len(values) > 1):
+            return values
         return type(like)(values[0]) if isinstance(like, np.floating) else values[0]
+
+
+def _numbers(command: Any) -> list[float] | None:
+    if isinstance(command, np.ndarray) and command.dtype.kind in "fiu":
+        return [float(value) for value in command.ravel().tolist()]
+    items = command if isinstance(command, list | tuple) else [command]
+    if any(isinstance(item, bool) or not isinstance(item, int | float | np.floating | np.integer) for item in items):
+        return None
+    return [float(item) for item in items]
 
 
 def scalar(

@@ -21,7 +21,17 @@ Learned = Mapping[str, Any]
 class Options(BaseModel):
     """Configuration of a component. Unknown options are refused; give each field a description and a unit."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, validate_default=True)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        super().__pydantic_init_subclass__(**kwargs)
+        for name, field in cls.model_fields.items():
+            if isinstance(field.default, Component):
+                raise ContractError(
+                    f"{cls.__qualname__}.{name}: the default is a component, which all would share; "
+                    f"use Field(default_factory={type(field.default).__name__})."
+                )
 
 
 class Binding(NamedTuple):
@@ -210,7 +220,8 @@ def _problem(model: type[BaseModel], item: Any) -> str:
     if item["type"] == "missing":
         return f"option '{path}' is required."
     if item["type"] == "is_instance_of":
-        return f"option '{path}' must be a component ({item['ctx']['class']}), not {item['input']!r}."
+        kind = item["ctx"]["class"]
+        return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
     return f"option '{path}': {item['msg'][0].lower()}{item['msg'][1:]}, found {item['input']!r}."
 
 

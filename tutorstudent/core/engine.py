@@ -29,9 +29,6 @@ from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
 from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
 
-ELSE_EXECUTED = "something else was executed"
-UNTOLD = "the executed level could not be told"
-
 
 class Engine(Generic[StateT, ActionT, ProposalT]):
     """Tutor, student, selector, amplifier and evaluator, turned once per decision.
@@ -84,7 +81,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         self.last: Turn[StateT, ActionT] | None = None
         """The newest decision whose outcome is known."""
         self._pending: Pending | None = None
-        self._void = ""
+        self._void = self._untold = ""
 
     @property
     def incidents(self) -> deque[Incident]:
@@ -148,10 +145,11 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             self._seat.tell(number, pending.decision.executed)
         outcome = self._judge.judge(number, resulting_state)
         incidents = len(self._guard.turn)
-        lesson = None if self._void else self._teacher.teach(pending, outcome)
+        void = self._void or self._untold
+        lesson = None if void else self._teacher.teach(pending, outcome)
         decision = pending.decision if len(self._guard.turn) == incidents else pending.renewed()
-        self.last = Turn(decision, outcome, lesson, tuple(self._guard.turn), self._void)
-        self._void = ""
+        self.last = Turn(decision, outcome, lesson, tuple(self._guard.turn), void)
+        self._void = self._untold = ""
         return self.last
 
     def executed(self, action: ActionT) -> None:
@@ -171,8 +169,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             )
         decision, original, _, groups, seals = self._pending
         own, record = checked_replica(action, "executed()"), rebuilt(action)
-        if self._void in (ELSE_EXECUTED, UNTOLD):
-            self._void = ""  # an earlier word about the same decision is taken back
+        self._untold = ""  # an earlier word about the same decision is taken back
         level, permitted = self._reached(self._pending, own)
         selected = decision.selected._replace(level=min(level, decision.selected.level))
         resulting = decision.resulting._replace(level=level)
@@ -183,7 +180,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
         if self._pending is not None:
-            self._void = reason
+            self._void = reason or "no reason given"
 
     def drop(self) -> None:
         """Forget the pending decision without judging it (a trial that was cut off)."""
@@ -193,7 +190,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             if self._seat.hears:
                 self._seat.tell(pending.decision.moment.number, pending.decision.executed)
             self.last = Turn(pending.decision, None, None, tuple(self._guard.turn), self._void or "dropped")
-        self._void = ""
+        self._void = self._untold = ""
 
     def reset(self) -> None:
         """Begin a trial. Decision count, learning phase and what was learned stay."""
@@ -232,11 +229,11 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             level = reached_level(original, groups, executed, decision.resulting.level, self._levels)
             if level is not None:
                 return level, self._levels.permit(level, original, groups)
-            self._void = ELSE_EXECUTED
+            self._untold = "something else was executed"
         except KeyboardInterrupt:
             raise
         except BaseException as error:
-            self._void = UNTOLD
+            self._untold = "the executed level could not be told"
             self._guard.record(decision.moment.number, "amplifier", error)
         return 0, NOTHING
 

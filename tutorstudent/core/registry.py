@@ -22,6 +22,7 @@ from tutorstudent.core.world import World
 
 GROUP = hookspecs.PROJECT
 ALLOW_LIST = "TUTORSTUDENT_LOAD_PLUGINS"
+UNKNOWN = "unknown distribution"
 ROLES: dict[str, type[Component]] = {
     role.role: role
     for role in (
@@ -143,7 +144,7 @@ class Registry:
             raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return component classes.")
         if cls.role not in ROLES or not issubclass(cls, ROLES[cls.role]):
             raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {listing(ROLES)}.")
-        if not _NAME.fullmatch(cls.name):
+        if not (isinstance(cls.name, str) and _NAME.fullmatch(cls.name)):
             raise BrokenPlugin(f"{cls.__name__} has the name '{cls.name}'; names are like 'wall-follower'.")
         if inspect.isabstract(cls):
             missing = listing(getattr(cls, "__abstractmethods__", ()))
@@ -166,8 +167,10 @@ def _components(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
         raise BrokenPlugin(
             f"'{entry_point.value}' has no hook tutorstudent_components() marked with @tutorstudent.hookimpl."
         )
-    for classes in manager.hook.tutorstudent_components():
-        yield from classes
+    answers = manager.hook.tutorstudent_components()
+    if len(answers) != 1 or not isinstance(answers[0], list | tuple | set | frozenset):
+        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of component classes.")
+    yield from answers[0]
 
 
 def _check_doubles(classes: list[type[Component]], entry_point: str) -> None:
@@ -179,16 +182,16 @@ def _check_doubles(classes: list[type[Component]], entry_point: str) -> None:
 
 
 def _ours(entry_point: metadata.EntryPoint) -> bool:
-    return entry_point.value.startswith("tutorstudent.")
+    return entry_point.dist is not None and entry_point.dist.name == GROUP
 
 
 def _distribution(entry_point: metadata.EntryPoint) -> str:
     dist = entry_point.dist
-    return f"{dist.name} {dist.version}" if dist is not None else "unknown distribution"
+    return f"{dist.name} {dist.version}" if dist is not None else UNKNOWN
 
 
 def _diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
-    package = distribution.split()[0]
+    package = "its package" if distribution == UNKNOWN else distribution.split()[0]
     if isinstance(error, ModuleNotFoundError):
         return (
             f"{error.msg}.",

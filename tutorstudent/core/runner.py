@@ -32,7 +32,8 @@ def run(
 ) -> None:
     """Turn the loop for `decisions` decisions, over as many trials as the world ends.
 
-    A trial that is done is judged by its last state (a crash is often only there); one that was cut off is not.
+    The engine keeps what it has learned before; its first trial here is a new one. A trial that is done is judged by
+    its last state (a crash is often only there); one that was cut off is not.
 
     Raises:
         ContractError: if the world does not execute the tutor's actions.
@@ -41,6 +42,7 @@ def run(
     for observer in observers:
         observer.begin(Begin(engine, world, decisions))
     trial = 0
+    engine.reset()
     state = world.reset(trial_seed(seed, trial))
     for _ in range(decisions):
         step = world.step(engine.propagate(state))

@@ -22,7 +22,6 @@ from tutorstudent.study.resolving import reread, sketch_of
 from tutorstudent.study.sketches import save_sketch
 from tutorstudent.study.tables import digest_table
 
-
 LEGEND = (
     "collided: decisions in which the robot's own motion was refused. contacts: how often that began. way: distance "
     "travelled. stall: longest run of collided decisions. level: mean amplification level."

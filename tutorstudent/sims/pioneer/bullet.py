@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import importlib
 import math
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -27,16 +30,31 @@ Rgba = tuple[float, float, float, float]
 Points = Any
 """Ray ends: a sequence of (x, y, z) or an array of shape (n, 3); pybullet takes either."""
 FAILED = -1
+STDERR = 2
 
 
 def load_pybullet() -> Any:
     """Return the pybullet module; PipelineError with the remedy where it is not installed."""
     try:
-        return importlib.import_module("pybullet")
+        with _silenced_stderr():
+            return importlib.import_module("pybullet")
     except ImportError:
         raise PipelineError(
             "world 'pioneer' needs pybullet; install it with: pip install 'tutorstudent[bullet]'"
         ) from None
+
+
+@contextmanager
+def _silenced_stderr() -> Iterator[None]:
+    """Keep pybullet's build time, which it prints from C when it is imported, off the terminal."""
+    with Path(os.devnull).open("w", encoding="utf-8") as nowhere:
+        kept = os.dup(STDERR)
+        os.dup2(nowhere.fileno(), STDERR)
+        try:
+            yield
+        finally:
+            os.dup2(kept, STDERR)
+            os.close(kept)
 
 
 class Bullet:
