@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo compare test check format lint types tests soak bench install clean
+.PHONY: help demo picture compare test check format lint types tests soak bench install clean
 
 help: ## say what there is
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
@@ -29,6 +29,9 @@ demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
 	rm -rf demo-out
 	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml \
 		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --workers $(WORKERS) --out demo-out
+
+picture: demo ## the README's picture, from the runs of the demo
+	$(BIN)/python docs/images/draw.py demo-out
 
 compare: $(VENV)/.demo ## 10 paired seeds with controls in the four environments, full and streamlined
 	rm -rf studies/compare

@@ -30,16 +30,21 @@ def way_map(title: str, sketch: Sketch, arrays: Arrays, palette: Palette) -> str
         return None
     with mpl.rc_context(STYLE):
         figure, axes = sheet(SIZE_PX, SIZE_PX, left_px=26, bottom_px=34)
-        axes.set_facecolor(FLOOR)
-        axes.add_collection(_way(np.column_stack([x, y]), arrays))
-        _draw(axes, sketch)
-        axes.autoscale_view()
-        axes.set_aspect("equal")
-        axes.set_xlabel("m")
+        draw_way(axes, sketch, arrays, np.column_stack([x, y]))
         axes.set_title(title, color=palette.drawn(title), fontweight="bold")
         mean_level = float(arrays["resulting_level"].mean())
         alt = f"Map of the way of {title}, coloured by amplification level; the mean level is {mean_level:.1f}."
         return svg(figure, alt, palette.stand_ins())
+
+
+def draw_way(axes: Axes, sketch: Sketch, arrays: Arrays, points: NDArray[np.float64]) -> None:
+    """Draw the world and the way through `points`, shape (decisions, 2), in metres, coloured by level."""
+    axes.set_facecolor(FLOOR)
+    axes.add_collection(_way(points, arrays))
+    _draw(axes, sketch)
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    axes.set_xlabel("m")
 
 
 def level_colours() -> Colormap:
