@@ -9,6 +9,8 @@ from importlib import import_module
 
 import numpy as np
 import pytest
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic import ValidationError
 
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
 from tutorstudent.core.component import Binding
@@ -21,6 +23,8 @@ from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.types import DriveAction
 from tutorstudent.sims.pioneer.world import PioneerWorld
 
+NUMBERS = (int, float, float | None)
+BOUNDS = [{low, high} for low in (Ge, Gt) for high in (Le, Lt)]
 ACTIONS = [
     forward(0.6),
     DriveAction(kind="left", rotation=0.7, duration_s=0.3),
@@ -218,17 +222,35 @@ def test_the_hook_names_the_world():
     assert issubclass(PioneerWorld, World)
 
 
-def test_every_option_is_described_and_bounded():
-    def fields(model):
-        for name, field in model.model_fields.items():
-            yield name, field
-            if hasattr(field.annotation, "model_fields"):
-                yield from fields(field.annotation)
+def every_option(model):
+    """Yield name and field of every option, those of nested options too."""
+    for name, field in model.model_fields.items():
+        yield name, field
+        if hasattr(field.annotation, "model_fields"):
+            yield from every_option(field.annotation)
 
-    for name, field in fields(PioneerOptions):
-        assert field.description, name
-        if field.annotation in (int, float):
-            assert field.metadata, f"{name} has no bound"
+
+def test_every_option_is_described():
+    assert [] == [name for name, field in every_option(PioneerOptions) if not field.description]
+
+
+def test_every_number_has_a_lower_and_an_upper_bound():
+    """An option without one could ask for a world that never answers."""
+    numbers = [(name, field) for name, field in every_option(PioneerOptions) if field.annotation in NUMBERS]
+    assert len(numbers) > 25
+    assert [] == [name for name, field in numbers if {type(bound) for bound in field.metadata} not in BOUNDS]
+
+
+def test_an_action_lasts_an_hour_at_most():
+    assert DriveAction(kind="stop", duration_s=3600.0).duration_s == 3600.0
+    with pytest.raises(ValidationError, match="less than or equal to 3600"):
+        DriveAction(kind="stop", duration_s=3600.1)
+
+
+def test_the_longest_latencies_are_remembered(make_world):
+    world = make_world(scene(), sensor_latency=1000, stall_latency=1000, actor_ticks=1000)
+    first = world.reset(1)
+    assert world.step(STOP).state.stalled is first.stalled
 
 
 @pytest.mark.parametrize(
@@ -240,6 +262,12 @@ def test_every_option_is_described_and_bounded():
             "option 'ticks_per_decision': input should be greater than or equal to 1, found 0.",
         ),
         ({"sensor_latency": -1}, "option 'sensor_latency': input should be greater than or equal to 0"),
+        *(
+            ({option: 1001}, f"option '{option}': input should be less than or equal to 1000, found 1001.")
+            for option in ("ticks_per_decision", "sensor_latency", "stall_latency", "actor_ticks", "side_m")
+        ),
+        ({"sensor_latency": 10**30}, "option 'sensor_latency': input should be"),
+        ({"tick_s": 1e-9}, "option 'tick_s': input should be greater than or equal to 0.01, found 1e-09."),
         ({"camera_fov_deg": 180}, "option 'camera_fov_deg': input should be less than or equal to 170"),
         ({"drive": "legs"}, "option 'drive': input should be 'kinematic', 'planar' or 'wheeled', found 'legs'."),
         ({"prey": {"fast": True}}, "unknown option 'prey.fast'"),

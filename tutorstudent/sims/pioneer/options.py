@@ -14,16 +14,18 @@ class PioneerOptions(Options):
     """Scene, clock, drive, sensors and other robots."""
 
     scene: str = Field("chase-avoid", description="a shipped scene, or the path of a YAML file")
-    side_m: float | None = Field(None, gt=0, description="side of a scene in percent, instead of its own, m")
-    box_side_m: float | None = Field(None, gt=0, description="side of every box, instead of its own, m")
+    side_m: float | None = Field(None, gt=0, le=1000, description="side of a scene in percent, instead of its own, m")
+    box_side_m: float | None = Field(None, gt=0, le=100, description="side of every box, instead of its own, m")
     pose_jitter_m: float = Field(
         0.0, ge=0, le=1, description="start positions vary by up to this with the seed, m in x and y"
     )
 
-    tick_s: float = Field(0.1, gt=0, le=1, description="the clock: a step of all robots, s")
-    ticks_per_decision: int = Field(2, ge=1, description="shortest decision, ticks")
-    sensor_latency: int = Field(3, ge=0, description="age of sonar and blobs when the learner reads them, ticks")
-    stall_latency: int = Field(3, ge=0, description="age of the stall flag when the learner reads it, ticks")
+    tick_s: float = Field(0.1, ge=0.01, le=1, description="the clock: a step of all robots, s")
+    ticks_per_decision: int = Field(2, ge=1, le=1000, description="shortest decision, ticks")
+    sensor_latency: int = Field(
+        3, ge=0, le=1000, description="age of sonar and blobs when the learner reads them, ticks"
+    )
+    stall_latency: int = Field(3, ge=0, le=1000, description="age of the stall flag when the learner reads it, ticks")
 
     drive: Literal["kinematic", "planar", "wheeled"] = Field(
         "kinematic", description="refused steps as in the thesis's simulator, pushed planar bodies, or driven wheels"
@@ -40,15 +42,15 @@ class PioneerOptions(Options):
     camera_columns: int = Field(3, ge=1, le=64, description="occlusion rays for each thing in view")
 
     encounter_radius_m: float = Field(
-        0.95, gt=0, description="event: nearer than this to a red thing's surface is an encounter, m"
+        0.95, gt=0, le=100, description="event: nearer than this to a red thing's surface is an encounter, m"
     )
     encounter_release_m: float = Field(
-        1.2, gt=0, description="event: a red thing counts again after the robot was this far away, m"
+        1.2, gt=0, le=100, description="event: a red thing counts again after the robot was this far away, m"
     )
 
     prey: PreyOptions = Field(PreyOptions(), description="how prey robots move")
     predator: PredatorOptions = Field(PredatorOptions(), description="how predator robots move")
-    actor_ticks: int = Field(2, ge=1, description="other robots sense anew after this many ticks")
+    actor_ticks: int = Field(2, ge=1, le=1000, description="other robots sense anew after this many ticks")
     gui: bool = Field(False, description="open pybullet's window")
 
     @model_validator(mode="after")

@@ -69,7 +69,7 @@ class Box(Spec):
     colour: Colour
     x: float
     y: float
-    side_m: float = Field(gt=0, description="length of a side, m")
+    side_m: float = Field(gt=0, le=100, description="length of a side, m")
     heading_deg: float = Field(0.0, description="direction of a side, degrees counter-clockwise from +x")
 
 
@@ -89,7 +89,7 @@ class SceneSpec(Spec):
 
     description: str = Field(min_length=1, description="one sentence for people")
     units: Units = Field("metres", description="of the positions of boxes and robots")
-    side_m: float | None = Field(None, gt=0, description="length that 100 percent stands for, m")
+    side_m: float | None = Field(None, gt=0, le=1000, description="length that 100 percent stands for, m")
     walls: AnyWalls = Field(description="walls, a ROS map, or the name of a YAML file with walls")
     boxes: list[Box] = []
     robots: list[Robot] = Field(min_length=1)

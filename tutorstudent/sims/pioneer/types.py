@@ -18,14 +18,15 @@ from tutorstudent.core.actions import Action, AmplificationMap, component
 class DriveAction(Action):
     """Translation, rotation and duration, as prototype 2 commands its robot (Thesis 3.3.1).
 
-    Translation and rotation are fractions of the robot's full speed; duration 0 means one decision of the world. The
-    amplifier moves translation or rotation away from zero and never the duration (Thesis 3.3.4).
+    Translation and rotation are fractions of the robot's full speed; duration 0 means one decision of the world, and an
+    hour is the longest, so that a world always answers. The amplifier moves translation or rotation away from zero and
+    never the duration (Thesis 3.3.4).
     """
 
     kind: Literal["stop", "forward", "backward", "left", "right"]
     translation: float = component(-1.0, 1.0, default=0.0, description="fraction of full speed, forward positive")
     rotation: float = component(-1.0, 1.0, default=0.0, description="fraction of full turning speed, left positive")
-    duration_s: float = component(0.0, None, default=0.0, unit="s", description="how long to hold the command")
+    duration_s: float = component(0.0, 3600.0, default=0.0, unit="s", description="how long to hold the command")
 
     amplification: ClassVar[AmplificationMap] = {
         "stop": {},
