@@ -19,6 +19,7 @@ from tutorstudent.sims.pioneer.mesh import area
 from tutorstudent.sims.pioneer.ros_map import outlines, read_ros_map
 
 RESOLUTION = 0.02
+MAP_KEYS = "Allowed: free_thresh, image, mode, negate, occupied_thresh, origin, resolution."
 
 
 def drawn(layout, side_m):
@@ -181,23 +182,31 @@ def test_a_broken_image_is_refused_with_what_is_supported(tmp_path, data, why):
 
 def test_an_image_that_is_missing(write_map):
     path = write_map(None, name="nowhere.pgm")
-    with pytest.raises(PipelineError, match=r"nowhere\.pgm: cannot be read: No such file"):
+    with pytest.raises(PipelineError) as caught:
         read_ros_map(path)
+    assert re.fullmatch(
+        rf"{re.escape(str(path))}:\d+:1: image: there is no file {re.escape(str(path.parent))}/nowhere\.pgm; "
+        r"give the path of one, from the folder of this file\.",
+        str(caught.value),
+    )
 
 
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"resolution": 0}, "key 'resolution': input should be greater than 0"),
-        ({"origin": [0, 0]}, "key 'origin.2' is required."),
-        ({"mode": "raw"}, "key 'mode': input should be 'trinary' or 'scale', found 'raw'."),
-        ({"negate": 2}, "key 'negate': input should be 0 or 1, found 2."),
-        ({"free_thresh": 0.9}, "free_thresh is above occupied_thresh."),
-        ({"occupied_threshold": 0.5}, "unknown key 'occupied_threshold'"),
+        ({"resolution": 0}, "resolution: input should be greater than 0, found 0."),
+        ({"origin": [0, 0]}, "origin.2: this is required, but it is missing."),
+        ({"mode": "raw"}, "mode: input should be 'trinary' or 'scale', found 'raw'."),
+        ({"negate": 2}, "negate: input should be 0 or 1, found 2."),
+        ({"free_thresh": 0.9}, ": free_thresh is above occupied_thresh."),
+        (
+            {"occupied_threshold": 0.5},
+            f"occupied_threshold: unknown key (did you mean 'occupied_thresh'?). {MAP_KEYS}",
+        ),
     ],
 )
 def test_a_broken_map_file_is_refused_with_file_and_key(write_map, change, sentence):
     path = write_map(pgm(np.zeros((2, 2), dtype=np.uint8)), **change)
-    with pytest.raises(PipelineError, match=re.escape(f"{path}: ")) as caught:
+    with pytest.raises(PipelineError, match=f"^{re.escape(str(path))}:") as caught:
         read_ros_map(path)
     assert sentence in str(caught.value)

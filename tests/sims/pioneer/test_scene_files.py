@@ -10,6 +10,8 @@ from tests.sims.pioneer.scenes import SQUARE, box, robot, scene
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.sims.pioneer.layout import load_layout
 
+SCENE_KEYS = "Allowed: boxes, description, robots, side_m, units, walls."
+
 
 def complaint(scene_name, **options):
     with pytest.raises(PipelineError) as caught:
@@ -28,85 +30,182 @@ def test_an_unknown_scene_is_answered_with_the_shipped_ones():
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"robot": []}, "unknown key 'robot' (did you mean 'robots'?)."),
-        ({"description": ""}, "key 'description': string should have at least 1 character, found ''."),
-        ({"units": "feet"}, "key 'units': input should be 'metres' or 'percent', found 'feet'."),
-        ({"units": "percent"}, "units are percent, so side_m is required."),
-        ({"side_m": -1}, "key 'side_m': input should be greater than 0, found -1."),
-        ({"side_m": float("nan")}, "key 'side_m': input should be"),
-        ({"boxes": [box("pink", 1, 1)]}, "key 'boxes.0.colour': input should be 'red', "),
-        ({"boxes": [box("red", 1, 1, side_m=0)]}, "key 'boxes.0.side_m': input should be greater than 0, found 0."),
-        ({"boxes": [{"colour": "red", "x": 1, "side_m": 1}]}, "key 'boxes.0.y' is required."),
-        ({"boxes": [box("red", "here", 1)]}, "key 'boxes.0.x': input should be a valid number"),
-        ({"robots": []}, "key 'robots': list should have at least 1 item"),
-        ({"robots": [robot("prey", "red", 1, 1)]}, "exactly one robot has the controller 'learner', not 0."),
-        ({"robots": [robot("learner", "red", 1, i) for i in (1, 2)]}, "the controller 'learner', not 2."),
-        ({"robots": [robot("pray", "red", 1, 1)]}, "key 'robots.0.controller': input should be 'learner', 'prey' or"),
-        ({"others": [robot("prey", "red", 1, 1)] * 2}, "2 robots are named 'prey at 1 1'; give each its own name."),
-        ({"walls": {}}, "key 'walls.arena' is required."),
-        ({"walls": {"arena": SQUARE, "isles": {}}}, "unknown key 'walls.isles'"),
-        ({"walls": {"arena": [[0, 0], [1, 1]]}}, "key 'walls.arena': list should have at least 3 items"),
-        ({"walls": {"arena": {"centre": [0, 0]}}}, "key 'walls.arena.radius' is required."),
-        ({"walls": {"arena": [[0, 0], [1], [2, 2]]}}, "key 'walls.arena.1.1' is required."),
         (
-            {"walls": {"arena": SQUARE, "islands": {"rock": {"centre": [0, 0], "radius": 0}}}},
-            "key 'walls.islands.rock.radius': input should be greater than 0",
+            {"robot": []},
+            f"robot: unknown key (did you mean 'robots'?). {SCENE_KEYS}",
         ),
-        ({"walls": {"ros_map": "a.yaml", "arena": SQUARE}}, "unknown key 'walls.arena'"),
-        ({"walls": {"arena": SQUARE, "units": "percent"}}, "the walls are in percent, so side_m is required."),
-        ({"walls": 5}, "key 'walls': input should be a valid dictionary"),
-        ({"robots": 7}, "key 'robots': input should be a valid list, found 7."),
+        ({"description": ""}, "description: string should have at least 1 character, found ''."),
+        ({"units": "feet"}, "units: input should be 'metres' or 'percent', found 'feet'."),
+        ({"units": "meters"}, "units: input should be 'metres' or 'percent', found 'meters' (did you mean 'metres'?)."),
+        ({"side_m": -1}, "side_m: input should be greater than 0, found -1."),
+        ({"side_m": 1001}, "side_m: input should be less than or equal to 1000, found 1001."),
+        ({"side_m": float("nan")}, "side_m: input should be a finite number, found nan."),
+        ({"boxes": [box("pink", 1, 1)]}, "boxes.0.colour: input should be 'red', "),
+        ({"boxes": [box("red", 1, 1, side_m=0)]}, "boxes.0.side_m: input should be greater than 0, found 0."),
+        ({"boxes": [box("red", 1, 1, side_m=1e9)]}, "boxes.0.side_m: input should be less than or equal to 100, found"),
+        ({"boxes": [{"colour": "red", "x": 1, "side_m": 1}]}, "boxes.0.y: this is required, but it is missing."),
+        ({"boxes": [box("red", "here", 1)]}, "boxes.0.x: input should be a valid number"),
+        (
+            {"boxes": [box("red", 1, 1) | {"sides": 4}]},
+            "boxes.0.sides: unknown key (did you mean 'side_m'?). Allowed: ",
+        ),
+        ({"robots": []}, "robots: list should have at least 1 item"),
+        ({"robots": [robot("prey", "red", 1, 1)]}, "robots: exactly one robot has the controller 'learner', not 0."),
+        ({"robots": [robot("learner", "red", 1, i) for i in (1, 2)]}, "the controller 'learner', not 2."),
+        ({"robots": [robot("pray", "red", 1, 1)]}, "robots.0.controller: input should be 'learner', 'prey' or "),
+        ({"robots": [robot("pray", "red", 1, 1)]}, "found 'pray' (did you mean 'prey'?)."),
+        (
+            {"robots": [robot("prey", "red", 1, 1) | {"nom": 1}]},
+            "Allowed: colour, controller, heading_deg, name, x, y.",
+        ),
+        (
+            {"others": [robot("prey", "red", 1, 1)] * 2},
+            "robots: 2 robots are named 'prey at 1 1'; give each its own name.",
+        ),
+        ({"walls": {}}, "walls.arena: this is required, but it is missing."),
+        (
+            {"walls": {"arena": SQUARE, "isles": {}}},
+            "walls.isles: unknown key (did you mean 'islands'?). Allowed: arena, islands, units.",
+        ),
+        ({"walls": {"arena": [[0, 0], [1, 1]]}}, "walls.arena: list should have at least 3 items"),
+        ({"walls": {"arena": {"centre": [0, 0]}}}, "walls.arena.radius: this is required, but it is missing."),
+        ({"walls": {"arena": [[0, 0], [1], [2, 2]]}}, "walls.arena.1.1: this is required, but it is missing."),
+        (
+            {"walls": {"arena": SQUARE, "islands": {"boxes": {"centre": [0, 0], "radius": 1, "radios": 2}}}},
+            "walls.islands.boxes.radios: unknown key (did you mean 'radius'?). Allowed: centre, radius.",
+        ),
+        (
+            {"walls": {"arena": SQUARE, "islands": {"circle": {"centre": [0, 0], "radius": 0}}}},
+            "walls.islands.circle.radius: input should be greater than 0",
+        ),
+        ({"walls": {"ros_map": "a.yaml", "arena": SQUARE}}, "walls.arena: unknown key. Allowed: ros_map."),
+        ({"walls": 5}, "walls: input should be a mapping of keys and values, found 5."),
+        ({"robots": 7}, "robots: input should be a valid list, found 7."),
     ],
 )
-def test_a_mistake_is_named_with_file_and_key(write_yaml, change, sentence):
+def test_a_mistake_is_named_with_file_line_column_and_key(write_yaml, change, sentence):
     path = write_yaml(scene(**change))
     message = complaint(path)
-    assert message.startswith(f"{path}: ")
+    assert re.match(rf"{re.escape(str(path))}:\d+:\d+: ", message)
     assert sentence in message
 
 
-def test_all_mistakes_are_told_at_once(write_yaml):
-    message = complaint(write_yaml(scene(units="feet", side_m=-1)))
-    assert "'units'" in message
-    assert "'side_m'" in message
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"units": "percent"}, "units are percent, so side_m is required."),
+        ({"walls": {"arena": SQUARE, "units": "percent"}}, "the walls are in percent, so side_m is required."),
+    ],
+)
+def test_what_does_not_fit_together_is_named_with_the_file(write_yaml, change, sentence):
+    path = write_yaml(scene(**change))
+    assert complaint(path) == f"{path}: {sentence}"
+
+
+MISTAKEN = """\
+description: a test
+unit: metres
+walls:
+  arena: [[0, 0], [6, 0], [6, 6]]
+boxes:
+- colour: red
+  x: 1
+  side_m: 0
+"""
+
+
+def test_every_mistake_has_a_line_and_its_place_unknown_keys_first(tmp_path):
+    path = tmp_path / "mistaken.yaml"
+    path.write_text(MISTAKEN)
+    assert complaint(path).splitlines() == [
+        f"{path}:2:1: unit: unknown key (did you mean 'units'?). {SCENE_KEYS}",
+        f"{path}:6:3: boxes.0.y: this is required, but it is missing.",
+        f"{path}:8:3: boxes.0.side_m: input should be greater than 0, found 0.",
+        f"{path}: robots: this is required, but it is missing.",
+    ]
+
+
+def test_a_long_value_is_cut_short(write_yaml):
+    message = complaint(write_yaml(scene(robots="r" * 10_000)))
+    assert "robots: input should be a valid list, found 'rrr" in message
+    assert len(message) < 300
 
 
 @pytest.mark.parametrize("content", [None, [], "a scene", 5])
 def test_a_file_that_holds_no_scene(write_yaml, content):
     path = write_yaml(content)
-    assert complaint(path).startswith(f"{path}: input should be a valid dictionary")
+    assert complaint(path) == f"{path}: input should be a mapping of keys and values, found {content!r}."
 
 
 @pytest.mark.parametrize(
-    "text",
-    ["a: [1, 2", "a: 1\na: 2\n", "!!python/object/apply:os.system ['true']", "a: &x [*x]\nb: *y", "\t- 1", "\x00"],
+    ("text", "place"),
+    [
+        ("a: [1, 2", ":1:9"),
+        ("a: 1\na: 2\n", ":2:1"),
+        ("a: !!python/object/apply:os.system ['true']", ":1:1"),
+        ("a: &x [*x]\nb: *y", ":2:4"),
+        ("\t- 1", ":1:1"),
+        ("1: 2", ":1:1"),
+        ("\x00", ""),
+    ],
 )
-def test_a_file_that_is_no_safe_yaml(tmp_path, text):
+def test_a_file_that_is_no_plain_yaml_is_refused_with_the_place_and_without_the_readers_own_words(
+    tmp_path, text, place
+):
     path = tmp_path / "broken.yaml"
     path.write_text(text)
-    assert complaint(path).startswith(f"{path}: is no YAML: ")
+    message = complaint(path)
+    assert message.startswith(f"{path}{place}: ")
+    assert "unicode string" not in message or not place
+    assert "suppress" not in message
+
+
+def test_a_list_that_holds_itself_is_no_scene(tmp_path):
+    path = tmp_path / "endless.yaml"
+    path.write_text("description: &x [*x]\n")
+    assert complaint(path).startswith(f"{path}:1:1: description: input should be a valid string")
 
 
 def test_a_file_that_is_no_text(tmp_path):
     path = tmp_path / "picture.yaml"
     path.write_bytes(b"\xff\xfe\x00\x81")
-    assert complaint(path).startswith(f"{path}: is no YAML: ")
+    assert complaint(path).startswith(f"{path}: cannot be read: ")
 
 
-def test_walls_in_a_file_that_is_missing(write_yaml):
-    path = write_yaml(scene(walls="nowhere.yaml"))
-    assert complaint(path) == f"{path.parent / 'nowhere.yaml'}: cannot be read: No such file or directory."
+@pytest.mark.parametrize(
+    ("walls", "key"), [("nowhere.yaml", "walls"), ({"ros_map": "nowhere.yaml"}, "walls.ros_map"), ("n" * 5000, "walls")]
+)
+def test_a_file_that_is_missing_is_told_where_it_is_named(write_yaml, walls, key):
+    path = write_yaml(scene(walls=walls))
+    file = path.parent / (walls["ros_map"] if isinstance(walls, dict) else walls)
+    message = complaint(path)
+    assert message.startswith(f"{path}:")
+    assert message.endswith(f": {key}: there is no file {file}; give the path of one, from the folder of this file.")
+
+
+@pytest.mark.parametrize("name", ["", "\0", "n" * 5000, "/", "nowhere.yaml"])
+def test_a_scene_that_no_file_can_be_is_answered_with_the_shipped_ones(name):
+    assert complaint(name).startswith(f"world 'pioneer': there is no scene '{name}'. Shipped scenes: cave-box, ")
 
 
 def test_a_mistake_in_the_walls_own_file_is_named_there(write_yaml):
     walls = write_yaml({"arena": SQUARE, "units": "inches"})
     message = complaint(write_yaml(scene(walls=walls.name)))
-    assert message.startswith(f"{walls}: key 'units': ")
+    assert message.startswith(f"{walls}:6:1: units: ")
 
 
 def test_walls_may_stand_in_a_file_of_their_own(write_yaml):
     walls = write_yaml({"arena": SQUARE})
     assert load_layout(str(write_yaml(scene(walls=walls.name)))).arena == [(0, 0), (6, 0), (6, 6), (0, 6)]
+
+
+def test_a_relative_scene_is_found_from_the_working_directory_and_its_walls_from_its_own(
+    write_yaml, tmp_path, monkeypatch
+):
+    walls = write_yaml({"arena": SQUARE})
+    path = write_yaml(scene(walls=walls.name))
+    monkeypatch.chdir(tmp_path.parent)
+    assert load_layout(f"{tmp_path.name}/{path.name}").arena == [(0, 0), (6, 0), (6, 6), (0, 6)]
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,9 @@ from tutorstudent.core.world import World
 from tutorstudent.sims.pioneer import bullet, tutorstudent_components
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.calls import CallLog, bound
+from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.options import PioneerOptions
+from tutorstudent.sims.pioneer.scene_files import SCENES
 from tutorstudent.sims.pioneer.types import DriveAction
 from tutorstudent.sims.pioneer.world import PioneerWorld
 
@@ -215,6 +217,26 @@ def test_a_window_that_does_not_open_is_told():
 
     with pytest.raises(PipelineError, match=r"could not open its window \(option 'gui'\); run with gui: false"):
         Bullet(Blind(), gui=True)
+
+
+@pytest.mark.parametrize("name", [path.stem for path in SCENES.glob("*.yaml")])
+def test_a_shipped_scene_is_described_by_its_name(make_world, name):
+    assert make_world(name).describe()["scene"] == name
+
+
+def test_a_relative_scene_is_described_so_that_it_is_found_from_elsewhere(
+    make_world, write_yaml, tmp_path, monkeypatch
+):
+    path = write_yaml(scene())
+    monkeypatch.chdir(tmp_path)
+    world = make_world(path.name, sonar_noise=0.0)
+    described = world.describe()
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert described["scene"] == str(path)
+    assert (described.pop("use"), described["sonar_noise"]) == ("pioneer", 0.0)
+    assert PioneerWorld(**described).describe()["scene"] == str(path)
+    assert load_layout(described["scene"]).learner == 0
 
 
 def test_the_hook_names_the_world():

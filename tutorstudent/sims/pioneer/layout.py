@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.world import Point
@@ -58,7 +59,7 @@ def load_layout(scene: str, side_m: float | None = None, box_side_m: float | Non
         raise PipelineError(f"{path}: the walls are in percent, so side_m is required.")
     units = {"metres": 1.0, "percent": (side_m or math.nan) / 100.0}
     unit_m = units[spec.units]
-    arena, islands = read_ros_map(path.parent / walls.ros_map) if isinstance(walls, RosMap) else _walls(walls, units)
+    arena, islands = read_ros_map(Path(walls.ros_map)) if isinstance(walls, RosMap) else _walls(walls, units)
     starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
     boxes = [_box(box, unit_m, box_side_m or box.side_m) for box in spec.boxes]
     solids = [arena, thickened(arena), *islands, *(box.corners() for box in boxes)]

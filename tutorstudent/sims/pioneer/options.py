@@ -13,7 +13,9 @@ from tutorstudent.sims.pioneer.actors import PredatorOptions, PreyOptions
 class PioneerOptions(Options):
     """Scene, clock, drive, sensors and other robots."""
 
-    scene: str = Field("chase-avoid", description="a shipped scene, or the path of a YAML file")
+    scene: str = Field(
+        "chase-avoid", description="a shipped scene, or the path of a YAML file from the working directory"
+    )
     side_m: float | None = Field(None, gt=0, le=1000, description="side of a scene in percent, instead of its own, m")
     box_side_m: float | None = Field(None, gt=0, le=100, description="side of every box, instead of its own, m")
     pose_jitter_m: float = Field(

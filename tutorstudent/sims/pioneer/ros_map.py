@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from tutorstudent.core.world import Point
+from tutorstudent.core.yamlfile import read_yaml
+from tutorstudent.sims.pioneer.checking import checked
 from tutorstudent.sims.pioneer.images import read_grey
 from tutorstudent.sims.pioneer.scene import Spec
-from tutorstudent.sims.pioneer.scene_files import checked, read_yaml
+from tutorstudent.sims.pioneer.scene_files import beside
 
 Cells = NDArray[np.bool_]
 Corner = tuple[int, int]
@@ -43,8 +45,9 @@ def read_ros_map(path: Path) -> tuple[list[Point], list[list[Point]]]:
 
     Occupied is what is darker than ``occupied_thresh``; unknown cells are free. Choice: the map's edge is a wall.
     """
-    spec = checked(RosMapFile, read_yaml(path), path)
-    grey = read_grey(path.parent / spec.image)
+    document = read_yaml(path)
+    spec = checked(RosMapFile, document)
+    grey = read_grey(beside(document, ("image",), spec.image))
     shade = grey / 255.0 if spec.negate else 1.0 - grey / 255.0
     cells = (shade > spec.occupied_thresh)[::-1]
     height, width = cells.shape

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, field_validator, model_validator
 
 from tutorstudent.core.world import Point
 
@@ -94,14 +94,19 @@ class SceneSpec(Spec):
     boxes: list[Box] = []
     robots: list[Robot] = Field(min_length=1)
 
-    @model_validator(mode="after")
-    def _consistent(self) -> SceneSpec:
-        learners = sum(robot.controller == "learner" for robot in self.robots)
+    @field_validator("robots")
+    @classmethod
+    def _one_learner(cls, robots: list[Robot]) -> list[Robot]:
+        learners = sum(robot.controller == "learner" for robot in robots)
         if learners != 1:
             raise ValueError(f"exactly one robot has the controller 'learner', not {learners}")
-        name, times = Counter(robot.name for robot in self.robots).most_common(1)[0]
+        name, times = Counter(robot.name for robot in robots).most_common(1)[0]
         if times > 1:
             raise ValueError(f"{times} robots are named '{name}'; give each its own name")
+        return robots
+
+    @model_validator(mode="after")
+    def _scaled(self) -> SceneSpec:
         if self.units == "percent" and self.side_m is None:
             raise ValueError("units are percent, so side_m is required")
         return self

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from tutorstudent.core.actions import Action
 from tutorstudent.core.errors import ContractError
@@ -19,6 +19,7 @@ from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.events import EVENTS
 from tutorstudent.sims.pioneer.layout import Layout, load_layout
 from tutorstudent.sims.pioneer.options import PioneerOptions
+from tutorstudent.sims.pioneer.scene_files import lasting_name
 from tutorstudent.sims.pioneer.trial import Trial
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
 
@@ -73,6 +74,10 @@ class PioneerWorld(World[PioneerState, DriveAction]):
     def ticks(self, duration_s: float) -> int:
         """Return for how many ticks an action of this duration is held."""
         return max(1, round(duration_s / self.options.tick_s), self.options.ticks_per_decision)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the world as a pipeline in any folder would name it: a scene's path is absolute."""
+        return super().describe() | {"scene": lasting_name(self.options.scene)}
 
     def sketch(self) -> Sketch:
         return self._running().sketch()
