@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from tests.sims.pioneer.scenes import EXACT, STOP, forward, pose, robot, scene
+from tutorstudent.sims.pioneer.events import wrapped_rad
 from tutorstudent.sims.pioneer.types import DriveAction
 
 FRONT_M = 0.18
@@ -127,9 +129,22 @@ def test_no_speed_carries_the_robot_through_a_thin_wall(make_world, heading_deg)
         assert 1.5 < y < 4.5
 
 
-def test_the_heading_counts_on_and_does_not_wrap(make_world):
+def test_the_heading_of_a_pose_counts_on_and_that_of_the_event_is_within_half_a_turn(make_world):
     world = make_world(scene(), **EXACT)
     world.reset(1)
-    for _ in range(8):
-        events = world.step(DriveAction(kind="left", rotation=1.0, duration_s=1.0)).events
-    assert events["heading_rad"] == pytest.approx(8 * math.radians(65.0))
+    told = [world.step(DriveAction(kind="left", rotation=1.0, duration_s=1.0)).events["heading_rad"] for _ in range(8)]
+    assert math.degrees(pose(world).heading_rad) == pytest.approx(8 * 65.0)
+    assert np.degrees(told) == pytest.approx([65, 130, -165, -100, -35, 30, 95, 160])
+
+
+@pytest.mark.parametrize("turns", range(-10, 11))
+@pytest.mark.parametrize("direction_rad", [-math.pi + 1e-6, -1.0, 0.0, 1.0, math.pi])
+def test_a_wrapped_angle_is_the_same_direction(turns, direction_rad):
+    wrapped = wrapped_rad(direction_rad + turns * math.tau)
+    assert -math.pi < wrapped <= math.pi
+    assert math.remainder(wrapped - direction_rad, math.tau) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("half_turns", [-1, 1])
+def test_half_a_turn_is_told_as_plus_pi(half_turns):
+    assert wrapped_rad(half_turns * math.pi) == math.pi

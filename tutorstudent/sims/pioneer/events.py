@@ -23,7 +23,8 @@ EVENTS: Mapping[str, Summary] = {
     "heading_rad": "last",
 }
 """Stalled: the learner's own motion was refused. A contact is a stalled tick after a free one; ``hit_by_others`` counts
-the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled."""
+the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled. ``heading_rad`` is in
+(-pi, pi], while the heading of a pose counts on."""
 
 
 class Tally:
@@ -78,7 +79,7 @@ class Tally:
             "time_s": self._ticks * self._tick_s,
             "x_m": self._pose.x_m,
             "y_m": self._pose.y_m,
-            "heading_rad": self._pose.heading_rad,
+            "heading_rad": wrapped_rad(self._pose.heading_rad),
         }
         self._clear()
         return events
@@ -140,3 +141,13 @@ class Encounters:
         distance = body.distance_m(pose.x_m, pose.y_m)
         self._inside[index] = distance <= self._release_m if inside else distance < self._radius_m
         return self._inside[index] and not inside
+
+
+def wrapped_rad(angle_rad: float) -> float:
+    """Return the same direction in (-pi, pi].
+
+    >>> wrapped_rad(-math.pi) == wrapped_rad(3 * math.pi) == math.pi
+    True
+    """
+    wrapped = math.remainder(angle_rad, math.tau)
+    return wrapped if wrapped > -math.pi else math.pi
