@@ -23,8 +23,8 @@ EVENTS: Mapping[str, Summary] = {
     "heading_rad": "last",
 }
 """Stalled: the learner's own motion was refused. A contact is a stalled tick after a free one; ``hit_by_others`` counts
-the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled. ``heading_rad`` is in
-(-pi, pi], while the heading of a pose counts on."""
+the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled.
+``heading_rad`` is in (-pi, pi], while the heading of a pose counts on."""
 
 
 class Tally:
