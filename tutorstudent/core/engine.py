@@ -167,14 +167,14 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             raise ContractError(
                 f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
             )
-        decision, original, _, groups, seals = self._pending
+        _, original, _, groups, seals, asked = self._pending
         own, record = checked_replica(action, "executed()"), rebuilt(action)
         self._untold = ""  # an earlier word about the same decision is taken back
         level, permitted = self._reached(self._pending, own)
-        selected = decision.selected._replace(level=min(level, decision.selected.level))
-        resulting = decision.resulting._replace(level=level)
-        decision = decision._replace(selected=selected, resulting=resulting, executed=record)
-        self._pending = Pending(decision, original, own, groups, (seals[0], sealed(record)))
+        selected = asked.selected._replace(level=min(level, asked.selected.level))
+        resulting = asked.resulting._replace(level=level)
+        decision = asked._replace(selected=selected, resulting=resulting, executed=record)
+        self._pending = Pending(decision, original, own, groups, (seals[0], sealed(record)), asked)
         self._levels.remember(original.kind, permitted)
 
     def void(self, reason: str) -> None:
@@ -224,7 +224,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
                 raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
 
     def _reached(self, pending: Pending, executed: ActionT) -> tuple[int, Permitted]:
-        decision, original, groups = pending.decision, pending.original, pending.groups
+        decision, original, groups = pending.asked, pending.original, pending.groups
         try:
             level = reached_level(original, groups, executed, decision.resulting.level, self._levels)
             if level is not None:
@@ -252,5 +252,5 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         decision = Decision(moment, graded.selected, graded.resulting, record, graded.proposal)
         seal = sealed(shown)
         seals = (seal, seal if record is shown else sealed(record))
-        self._pending = Pending(decision, original, action, groups, seals)
+        self._pending = Pending(decision, original, action, groups, seals, decision)
         self._levels.remember(original.kind, graded.permitted)

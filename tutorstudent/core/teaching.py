@@ -19,6 +19,8 @@ class Pending(NamedTuple):
     groups: tuple[Group, ...]
     seals: tuple[Seal, Seal]
     """Of the tutor's action and the executed action in the record."""
+    asked: Decision[Any, Any]
+    """The decision as it was made, before anybody said that something else was executed."""
 
     def check_intact(self) -> None:
         """Raise a `Breach` if a part spoilt what it was shown."""

@@ -100,7 +100,7 @@ def _value(random: Random, low: float, high: float, neutral: float) -> float:
 DRIVE = Shape(
     DriveAction,
     ("stop", "forward", "backward", "left", "right"),
-    {"translation": (-1.0, 1.0), "rotation": (-1.0, 1.0), "duration_s": (0.0, INFINITY)},
+    {"translation": (-1.0, 1.0), "rotation": (-1.0, 1.0), "duration_s": (0.0, 3600.0)},
     {
         "stop": (),
         "forward": (Arm(("translation",), "+", 1.0, (0.0,)),),
