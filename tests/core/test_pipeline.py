@@ -64,7 +64,12 @@ def test_a_pipeline_builds_its_parts_under_their_slots() -> None:
         ("seed: 3", "limits: {cap: 0}", "p.yaml:1:10: limits.cap: limits: option 'cap': input should be greater than"),
         ("seed: 3", "limits: 0.8", "p.yaml:1:1: limits: found 0.8; write a mapping, as in limits: {cap: 0.8}."),
         ("seed: 3", "on_incident: shrug", "p.yaml:1:1: on_incident: pipeline: option 'on_incident': input should be"),
-        ("seed: 3", "on_tutor_failure: stop", "p.yaml:1:1: on_tutor_failure: found 'stop'; write a mapping"),
+        (
+            "seed: 3",
+            "on_tutor_failure: stop",
+            "p.yaml:1:1: on_tutor_failure: found 'stop'; write a mapping, as in on_tutor_failure: {kind: rest}.",
+        ),
+        ("decisions: 50", "decisions: 2000000000", "p.yaml:2:1: decisions: pipeline: option 'decisions': input should"),
         ("seed: 3", "on_tutor_failure: {kind: stp}", "p.yaml:1:20: on_tutor_failure.kind: not a Push: option 'kind'"),
     ],
 )
@@ -108,6 +113,30 @@ def test_load_takes_a_tutor_and_a_callable(tmp_path: Path) -> None:
     path.write_text("student: silent\nselector: modifier\namplifier: never\n")
     assert Push(kind="push", force=0.2) == load(path, tutor=Pusher()).step(1.0)
     assert Push(kind="rest") == load(path, tutor=lambda _: Push(kind="rest"), action=Push).step(1.0)
+
+
+def test_load_refuses_a_slot_that_is_not_there(tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text("student: silent\nselector: modifier\namplifier: never\n")
+    message = r"there is no slot 'studnet' for a part of your own \(did you mean 'student'\?\). Slots: amplifier, cond"
+    with pytest.raises(PipelineError, match=message):
+        load(path, tutor=Pusher(), studnet=object())
+    with pytest.raises(PipelineError, match="'action' is the action class of a callable tutor; give the tutor too"):
+        load(path, action=Push)
+
+
+def test_parts_that_are_given_take_the_place_of_the_files_even_where_they_are_empty() -> None:
+    assert 1 == len(pipeline().engine().conditions)
+    assert () == pipeline().engine(conditions=[]).conditions
+    given = Hollow()
+    assert given is pipeline().engine(tutor=given).tutor
+
+
+class Hollow(Pusher):
+    """A tutor that is false in a condition."""
+
+    def __len__(self) -> int:
+        return 0
 
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.yaml")), ids=lambda path: path.stem)

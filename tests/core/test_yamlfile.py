@@ -38,12 +38,44 @@ def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
         ("a: !thing x\n", "f.yaml:1:1: the tag '!thing' is not allowed"),
         ("1: x\n", "f.yaml:1:1: the key 1 is not a word; quote it."),
         ("a: 1\n--- \nb: 2\n", "f.yaml"),
+        ("a: 1\nb: !!omap [x: 1]\n", "f.yaml:2:1: the tag '!!omap' is not allowed; write plain YAML without tags."),
+        ("b: !!set {x, y}\n", "f.yaml:1:1: the tag '!!set' is not allowed"),
+        ("b: !!pairs [x: 1]\n", "f.yaml:1:1: the tag '!!pairs' is not allowed"),
+        ("b: !!binary aGVsbG8=\n", "f.yaml:1:1: the tag '!!binary' is not allowed"),
+        ("!!omap [x: 1]\n", "f.yaml: the tag '!!omap' is not allowed"),
+        ("a: {<<: 5}\n", "f.yaml:1:9: not valid YAML: expected a mapping or list of mappings for merging"),
+        ("a: {<<: {1: x}}\n", "f.yaml:1:1: the key 1 is not a word; quote it."),
+        (f"a: {'[' * 3000}{']' * 3000}\n", "f.yaml: it is nested too deeply, or in itself; write it flat."),
+        (f"a: {'{a: ' * 3000}1{'}' * 3000}\n", "f.yaml: it is nested too deeply"),
+        ("a: &a {<<: *a}\n", "f.yaml: it is nested too deeply, or in itself; write it flat."),
+        ("&a {b: *a}\n", "f.yaml: it is nested too deeply, or in itself; write it flat."),
     ],
 )
 def test_what_is_not_plain_yaml_is_refused_with_its_place(text: str, message: str) -> None:
     with pytest.raises(PipelineError) as caught:
         parse_yaml(text, "f.yaml")
     assert str(caught.value).startswith(message)
+
+
+def test_merged_keys_have_the_place_of_the_mapping_that_they_are_merged_into() -> None:
+    document = parse_yaml("base: &base {x: 1, y: 2}\nc:\n  <<: *base\n  y: 3\n", "f.yaml")
+    assert {"x": 1, "y": 3} == document.data["c"]
+    assert "f.yaml:2:1: c.x" == document.where(("c", "x"))
+    assert "f.yaml:4:3: c.y" == document.where(("c", "y"))
+    assert {"w": 2, "q": 1} == parse_yaml("<<: {q: 1}\nw: 2\n", "f.yaml").data
+
+
+def test_what_was_set_from_elsewhere_stands_nowhere_and_is_named() -> None:
+    document = parse_yaml("a: {b: {c: 1, d: 2}}\ne: 3\n", "f.yaml")
+    changed = document.replaced(("a", "b", "c"), {}, "a.b.c=7")
+    assert "f.yaml (with a.b.c=7): a.b.c" == changed.where(("a", "b", "c"))
+    assert "f.yaml:1:5 (with a.b.c=7): a.b" == changed.where(("a", "b"))
+    assert "f.yaml:1:15: a.b.d" == changed.where(("a", "b", "d"))
+    assert "f.yaml:2:1: e" == changed.where(("e",))
+    assert "f.yaml (with a.b.c=7)" == changed.where(())
+    again = changed.replaced(("a",), {}, "a=8").replaced(("a", "b"), {}, "a.b=9")
+    assert "f.yaml (with a=8, a.b=9): a.b.d" == again.where(("a", "b", "d"))
+    assert "f.yaml (with a=8): a.x" == again.where(("a", "x"))
 
 
 def test_a_missing_file_says_so(tmp_path: Path) -> None:

@@ -60,7 +60,7 @@ def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path]
     [
         (["--vary", "world.scen=long"], r"did you mean 'scene'"),
         (["--vary", "scene"], r"--vary scene: write key=value"),
-        (["--set", "decisions=none"], r"full.yaml:1:1: decisions"),
+        (["--set", "decisions=none"], r"full.yaml \(with decisions=none\): decisions: "),
         (["--set", "student.encoder=inch"], r"no encoder named 'inch'"),
     ],
 )

@@ -159,10 +159,13 @@ def test_pipelines_in_different_worlds_cannot_be_paired(plan: Any, files: dict[s
 @pytest.mark.parametrize(
     ("vary", "message"),
     [
-        ("world.scen=long", r"unknown option 'scen' \(did you mean 'scene'\?\).*\(with --vary world.scen=long\)"),
-        ("wrold.scene=long", r"unknown key \(did you mean 'world'\?\).*\(with --vary wrold.scene=long\)"),
-        ("world.scene=short,round", r"option 'scene'.*found 'round'.*\(with --vary world.scene=round\)"),
-        ("world=nowhere", r"no world named 'nowhere'"),
+        (
+            "world.scen=long",
+            r"\(with world.scen=long\): world.scen: .*unknown option 'scen' \(did you mean 'scene'\?\)",
+        ),
+        ("wrold.scene=long", r"full.yaml \(with wrold.scene=long\): wrold: unknown key \(did you mean 'world'\?\)"),
+        ("world.scene=short,round", r"full.yaml \(with world.scene=round\): world.scene: .*found 'round'"),
+        ("world=nowhere", r"full.yaml \(with world=nowhere\): world: no world named 'nowhere'"),
         ("conditions.0=at-wall", r"'conditions' is \['at-wall'\], not a mapping; set 'conditions' itself"),
     ],
 )

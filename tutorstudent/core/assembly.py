@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from traceback import walk_tb
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -31,16 +34,12 @@ class Assembler:
             raise self.error(
                 at, f"found {node!r}; a {role} is named by a word or by a mapping with 'use', as in {{use: name}}."
             )
-        try:
+        with self.placed(at):
             cls = self._registry.get(role, node["use"])
-        except TutorStudentError as error:
-            raise type(error)(f"{self._document.where(at)}: {error}") from None
         options = {key: self._option(cls, key, value, (*at, key)) for key, value in node.items() if key != "use"}
         self.model(cls.Options, options, at, f"{role} '{cls.name}'")
-        try:
+        with self.placed(at):
             return cls(**options)
-        except TutorStudentError as error:
-            raise type(error)(f"{self._document.where(at)}: {error}") from None
 
     def parts(self, role: str, node: Any, at: Location) -> list[Any]:
         """Return the components that a list names."""
@@ -62,6 +61,17 @@ class Assembler:
             if key not in allowed:
                 raise self.error((*at, key), f"unknown key{suggestion(key, allowed)}. Allowed: {listing(allowed)}.")
 
+    @contextmanager
+    def placed(self, at: Location) -> Iterator[None]:
+        """Let every error of ours say where: at the part that was being bound, else at `at`."""
+        try:
+            yield
+        except TutorStudentError as error:
+            name = self._document.name
+            if not str(error).startswith((f"{name}:", f"{name} (")):
+                error.args = (f"{self._document.where(_being_bound(error) or at)}: {error}",)
+            raise
+
     def error(self, at: Location, problem: str) -> PipelineError:
         """Return the error that says where and what."""
         return PipelineError(f"{self._document.where(at)}: {problem}")
@@ -74,3 +84,10 @@ class Assembler:
         if isinstance(value, list):
             return self.parts(role.role, value, at)
         return self.part(role.role, value, at)
+
+
+def _being_bound(error: TutorStudentError) -> Location:
+    # A part binds its own parts, and the engine binds them all: only the frames know which of them failed.
+    frames = [frame for frame, _ in walk_tb(error.__traceback__) if frame.f_code is Component.bind.__code__]
+    slot: str = frames[-1].f_locals["self"].slot if frames else ""
+    return tuple(int(key) if key.isdigit() else key for key in slot.split(".")) if slot else ()

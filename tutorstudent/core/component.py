@@ -213,16 +213,25 @@ def option_problems(model: type[BaseModel], error: ValidationError) -> list[tupl
 def _problem(model: type[BaseModel], item: Any) -> str:
     path = ".".join(str(key) for key in item["loc"])
     if item["type"] == "extra_forbidden":
-        key = str(item["loc"][-1])
-        known = model.model_fields if len(item["loc"]) == 1 else {}
-        allowed = f" Options: {listing(known)}." if known or len(item["loc"]) == 1 else ""
-        return f"unknown option '{path}'{suggestion(key, known)}.{allowed}"
+        holder = _holder(model, [key for key in item["loc"] if isinstance(key, str)])
+        known = holder.model_fields if holder else {}
+        allowed = f" Options: {listing(known)}." if holder else ""
+        return f"unknown option '{path}'{suggestion(str(item['loc'][-1]), known)}.{allowed}"
     if item["type"] == "missing":
         return f"option '{path}' is required."
     if item["type"] == "is_instance_of":
         kind = item["ctx"]["class"]
         return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
     return f"option '{path}': {item['msg'][0].lower()}{item['msg'][1:]}, found {item['input']!r}."
+
+
+def _holder(model: type[BaseModel], path: list[str]) -> type[BaseModel] | None:
+    # The model in which the last key stands; None where the way there leads through something else.
+    if len(path) == 1:
+        return model
+    inner = model.model_fields[path[0]].annotation if path[0] in model.model_fields else None
+    nested = [item for item in (inner, *get_args(inner)) if isinstance(item, type) and issubclass(item, BaseModel)]
+    return _holder(nested[0], path[1:]) if len(nested) == 1 else None
 
 
 __all__ = [

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
 from pydantic import Field, ValidationError
+from pydantic_core import to_jsonable_python
 
 from tutorstudent.core.adapters import as_tutor
 from tutorstudent.core.assembly import Assembler
-from tutorstudent.core.component import Binding, Options, option_problems
+from tutorstudent.core.component import Binding, Component, Options, option_problems
 from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import ContractError, PipelineError
+from tutorstudent.core.errors import PipelineError, listing, suggestion
 from tutorstudent.core.guard import OnIncident
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.observers import Observer
 from tutorstudent.core.registry import Registry
+from tutorstudent.core.runner import check_world
+from tutorstudent.core.settings import as_setting, set_value
 from tutorstudent.core.world import World
 from tutorstudent.core.yamlfile import Document, Location, read_yaml
 
@@ -39,8 +44,16 @@ class Header(Options):
     """The plain values of a pipeline."""
 
     seed: int = Field(0, ge=0, description="the one seed from which every random stream is derived")
-    decisions: int = Field(10_000, ge=1, description="how many decisions a run takes")
+    decisions: int = Field(10_000, ge=1, le=1_000_000_000, description="how many decisions a run takes")
     on_incident: OnIncident = Field("continue", description="what to do when a part breaks its contract")
+
+
+class Built(NamedTuple):
+    """All that a pipeline names, bound and fitting together."""
+
+    engine: Engine[Any, Any, Any]
+    world: World[Any, Any]
+    observers: list[Observer]
 
 
 class Pipeline:
@@ -67,23 +80,42 @@ class Pipeline:
         Raises:
             PipelineError: if a key leads through something that is no mapping, or the pipeline has no such key.
         """
-        data = dict(self.document.data)
+        document, data = self.document, dict(self.document.data)
         for dotted, value in values.items():
-            _set(data, dotted, value, self.document.name)
-        return Pipeline(self.document._replace(data=data), self.registry)
+            set_value(data, dotted, value, document.name)
+            document = document.replaced(tuple(dotted.split(".")), data, as_setting(dotted, value))
+        return Pipeline(document, self.registry)
+
+    @contextmanager
+    def built(self) -> Iterator[Built]:
+        """Build engine, world and observers; each is closed at the end, whatever another's `close` does.
+
+        Raises:
+            TutorStudentError: if something cannot be built; the message says where and what to do.
+        """
+        with ExitStack() as stack:
+            engine = stack.enter_context(closing(self.engine()))
+            action = engine.tutor.action
+            world = stack.enter_context(closing(self.world(action)))
+            observers = [stack.enter_context(closing(observer)) for observer in self.observers(action)]
+            with self._assembler.placed(("world",)):
+                check_world(engine, world)
+            yield Built(engine, world, observers)
 
     def engine(self, **given: Any) -> Engine[Any, Any, Any]:
         """Build the engine. Parts that are given by slot take the place of the file's.
 
         Raises:
-            PipelineError: if the file says something that cannot be built.
+            TutorStudentError: if it cannot be built; the message says where and what to do.
         """
-        parts = {slot: given.get(slot) or self._part(slot) for slot in SLOTS}
-        conditions = given.get("conditions") or self._assembler.parts(
-            "condition", self._value("conditions"), ("conditions",)
-        )
-        limits = self._assembler.model(Limits, self._mapping("limits"), ("limits",), "limits")
-        try:
+        _check_given(given)
+        parts = {slot: self._part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
+        conditions = given.get("conditions")
+        if conditions is None:
+            conditions = self._assembler.parts("condition", self._value("conditions"), ("conditions",))
+        values = self._mapping("limits", "{cap: 0.8}")
+        limits = self._assembler.model(Limits, values, ("limits",), "limits")
+        with self._assembler.placed(()):
             return Engine(
                 **parts,
                 conditions=conditions,
@@ -92,8 +124,6 @@ class Pipeline:
                 on_incident=self.header.on_incident,
                 on_tutor_failure=self._failure_action(parts["tutor"]),
             )
-        except ContractError as error:
-            raise PipelineError(f"{self.document.name}: {error}") from None
 
     def world(self, action: type[Any]) -> World[Any, Any]:
         """Build the world that the file names, bound for the actions of the engine."""
@@ -102,14 +132,16 @@ class Pipeline:
                 f"{self.document.name}: there is no 'world'; add one, as in 'world: {{use: pioneer, scene: cave-box}}'."
             )
         world: World[Any, Any] = self._assembler.part("world", self.document.data["world"], ("world",))
-        world.bind(Binding(self.header.seed, "world", action))
+        with self._assembler.placed(("world",)):
+            world.bind(Binding(self.header.seed, "world", action))
         return world
 
     def observers(self, action: type[Any]) -> list[Observer]:
         """Build the observers that the file names."""
         found: list[Observer] = self._assembler.parts("observer", self._value("observers"), ("observers",))
         for i, observer in enumerate(found):
-            observer.bind(Binding(self.header.seed, f"observers.{i}", action))
+            with self._assembler.placed(("observers", i)):
+                observer.bind(Binding(self.header.seed, f"observers.{i}", action))
         return found
 
     def _part(self, slot: str) -> Any:
@@ -121,17 +153,17 @@ class Pipeline:
     def _value(self, key: str) -> Any:
         return self.document.data.get(key, DEFAULTS.get(key))
 
-    def _mapping(self, key: str) -> dict[str, Any]:
+    def _mapping(self, key: str, example: str) -> dict[str, Any]:
         value = self._value(key)
         if not isinstance(value, dict):
-            raise self._assembler.error((key,), f"found {value!r}; write a mapping, as in {key}: {{cap: 0.8}}.")
+            raise self._assembler.error((key,), f"found {value!r}; write a mapping, as in {key}: {example}.")
         return value
 
     def _failure_action(self, tutor: Tutor[Any, Any]) -> Any:
         if self._value("on_tutor_failure") == "raise":
             return None
         at: Location = ("on_tutor_failure",)
-        values = self._mapping("on_tutor_failure")
+        values = self._mapping("on_tutor_failure", f"{{kind: {tutor.action.vocabulary.kinds[-1]}}}")
         try:
             return tutor.action(**values)
         except ValidationError as error:
@@ -141,23 +173,44 @@ class Pipeline:
             ) from None
 
 
-def _set(data: dict[str, Any], dotted: str, value: Any, name: str) -> None:
-    *parents, last = dotted.split(".")
-    for key in parents:
-        below = data.get(key, {})
-        if isinstance(below, str):
-            below = {"use": below}
-        if not isinstance(below, dict):
-            raise PipelineError(f"{name}: {dotted}: '{key}' is {below!r}, not a mapping; set '{key}' itself.")
-        data[key] = dict(below)
-        data = data[key]
-    data[last] = value
+def _check_given(given: Mapping[str, Any]) -> None:
+    allowed = [*SLOTS, "conditions"]
+    for slot in given:
+        if slot not in allowed:
+            raise PipelineError(
+                f"there is no slot '{slot}' for a part of your own{suggestion(slot, allowed)}. "
+                f"Slots: {listing(allowed)}."
+            )
+
+
+def plain(value: Any, where: str) -> Any:
+    """Return a description as what YAML and JSON can hold: paths and enums as their values, tuples as lists.
+
+    Raises:
+        PipelineError: if something in it has no such form; `where` stands for its place.
+    """
+    try:
+        return to_jsonable_python(value, fallback=_leftover)
+    except (TypeError, ValueError) as error:
+        raise PipelineError(f"{where}: cannot be written into a file: {error}") from None
+
+
+def _leftover(value: Any) -> Any:
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    if isinstance(value, Component):
+        return value.describe()
+    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or components.")
 
 
 def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pipeline) -> dict[str, Any]:
-    """Return a pipeline with every option written out, defaults included; it can be read again."""
+    """Return a pipeline with every option written out, defaults included; it can be read again.
+
+    Raises:
+        PipelineError: if an option has no form that a file can hold.
+    """
     failure = engine.on_tutor_failure
-    return (
+    values = (
         pipeline.header.model_dump()
         | {"world": world.describe()}
         | {slot: getattr(engine, slot).describe() for slot in SLOTS}
@@ -168,6 +221,7 @@ def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pi
             "on_tutor_failure": "raise" if failure is None else failure.model_dump(),
         }
     )
+    return {key: plain(value, pipeline.document.where((key,))) for key, value in values.items()}
 
 
 def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: Any) -> Engine[Any, Any, Any]:
@@ -182,5 +236,7 @@ def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: An
     Raises:
         TutorStudentError: if it cannot be built; the message says where and what to do.
     """
+    if tutor is None and action is not None:
+        raise PipelineError("load(): 'action' is the action class of a callable tutor; give the tutor too.")
     given = parts if tutor is None else parts | {"tutor": as_tutor(tutor, action)}
     return Pipeline.read(path).engine(**given)

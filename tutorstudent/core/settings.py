@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -42,3 +43,31 @@ def read_settings(option: str, texts: Sequence[str]) -> dict[str, Any]:
     {'student.hidden': 10, 'conditions': ['bumped']}
     """
     return dict(read_key_value(option, text) for text in texts)
+
+
+def as_setting(key: str, value: Any) -> str:
+    """Return ``key=value`` for messages, shortened where it is long.
+
+    >>> as_setting("student.hidden", 10), as_setting("limits", {"cap": None})
+    ('student.hidden=10', 'limits={"cap": null}')
+    """
+    text = value if isinstance(value, str) else json.dumps(value, default=str)
+    return f"{key}={text}" if len(text) <= 40 else f"{key}={text[:37]}..."
+
+
+def set_value(data: dict[str, Any], dotted: str, value: Any, name: str) -> None:
+    """Set the value of a dotted key in `data`; mappings on the way are copied, not changed.
+
+    Raises:
+        PipelineError: if the key leads through something that is no mapping; `name` stands for the data.
+    """
+    *parents, last = dotted.split(".")
+    for key in parents:
+        below = data.get(key, {})
+        if isinstance(below, str):
+            below = {"use": below}
+        if not isinstance(below, dict):
+            raise PipelineError(f"{name}: {dotted}: '{key}' is {below!r}, not a mapping; set '{key}' itself.")
+        data[key] = dict(below)
+        data = data[key]
+    data[last] = value

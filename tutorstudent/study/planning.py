@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tutorstudent.core.errors import PipelineError, TutorStudentError, listing
+from tutorstudent.core.errors import PipelineError, listing
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
 from tutorstudent.study.controls import controls_of
@@ -54,7 +54,8 @@ def _decisions(pipelines: Mapping[str, Pipeline]) -> int:
 
 
 def _environment(request: Request, variation: Setting | None, registry: Registry) -> Environment:
-    resolved = {name: _resolved(pipeline, variation) for name, pipeline in request.pipelines.items()}
+    varied = {name: variation.apply(given) if variation else given for name, given in request.pipelines.items()}
+    resolved = {name: resolve(pipeline) for name, pipeline in varied.items()}
     _check_one_world(resolved)
     given = [
         Variant(name, f"The pipeline {_file(request.pipelines[name])}.", False, found.values, found.counters)
@@ -63,15 +64,6 @@ def _environment(request: Request, variation: Setting | None, registry: Registry
     variants = [*given, *_controls(resolved, registry)] if request.controls else given
     name = variation.label if variation else _world_name(given[0])
     return Environment(name, tuple(variants), _reference(variants))
-
-
-def _resolved(pipeline: Pipeline, variation: Setting | None) -> Resolved:
-    if variation is None:
-        return resolve(pipeline)
-    try:
-        return resolve(variation.apply(pipeline))
-    except TutorStudentError as error:
-        raise type(error)(f"{error} (with {variation.text})") from None
 
 
 def _check_one_world(resolved: Mapping[str, Resolved]) -> None:

@@ -17,8 +17,6 @@ from tutorstudent.core.yamlfile import parse_yaml
 class Setting(NamedTuple):
     """One value for a dotted key of a pipeline, as in ``world.scene=cave-box``."""
 
-    text: str
-    """As it was written, for messages."""
     key: str
     value: Any
 
@@ -45,7 +43,7 @@ def slug(text: str) -> str:
 
 def read_setting(option: str, text: str) -> Setting:
     """Read ``key=value``; the value is YAML."""
-    return Setting(f"{option} {text}", *read_key_value(option, text))
+    return Setting(*read_key_value(option, text))
 
 
 def read_variation(option: str, text: str) -> list[Setting]:
@@ -56,7 +54,7 @@ def read_variation(option: str, text: str) -> list[Setting]:
     """
     key, values = key_and_text(option, text)
     found = parse_yaml(f"[{values}]", f"{option} {text}").data
-    settings = [Setting(f"{option} {key}={value}", key, value) for value in found]
+    settings = [Setting(key, value) for value in found]
     if not settings:
         raise PipelineError(f"{option} {text}: there are no values; write them with commas, as in {key}=a,b.")
     labels = [setting.label for setting in settings]

@@ -7,9 +7,9 @@ from contextlib import closing
 from typing import Any, NamedTuple
 
 from tutorstudent.core.observers import Entries
-from tutorstudent.core.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.pipeline import SLOTS, Pipeline, describe, plain
 from tutorstudent.core.registry import Registry
-from tutorstudent.core.runner import check_world, trial_seed
+from tutorstudent.core.runner import trial_seed
 from tutorstudent.core.world import Sketch
 from tutorstudent.core.yamlfile import Document
 
@@ -36,33 +36,29 @@ def resolve(pipeline: Pipeline) -> Resolved:
     Raises:
         TutorStudentError: if it cannot be built; the message says where and what to do.
     """
-    with closing(pipeline.engine()) as engine:
-        action = engine.tutor.action
-        observers = pipeline.observers(action)
-        with closing(pipeline.world(action)) as world:
-            check_world(engine, world)
-            return Resolved(
-                describe(engine, world, pipeline),
-                engine.amplifier.amount,
-                engine.amplifier.change.describe(),
-                {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
-            )
+    with pipeline.built() as (engine, world, observers):
+        return Resolved(
+            describe(engine, world, pipeline),
+            engine.amplifier.amount,
+            plain(engine.amplifier.change.describe(), "amplifier.change"),
+            {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
+        )
 
 
 def completed(name: str, values: Values, registry: Registry) -> dict[str, Any]:
     """Return the values with the defaults of the engine's parts filled in."""
     with closing(reread(name, values, registry).engine()) as engine:
-        return dict(values) | {slot: getattr(engine, slot).describe() for slot in SLOTS}
+        return dict(values) | {slot: plain(getattr(engine, slot).describe(), f"{name}: {slot}") for slot in SLOTS}
 
 
 def reread(name: str, values: Values, registry: Registry) -> Pipeline:
     """Return the pipeline that the values stand for."""
-    return Pipeline(Document(name, dict(values), {}), registry)
+    return Pipeline(Document(name, dict(values)), registry)
 
 
 def sketch_of(pipeline: Pipeline) -> Sketch:
     """Return a drawing of the pipeline's world at the beginning of a run."""
-    with closing(pipeline.engine()) as engine, closing(pipeline.world(engine.tutor.action)) as world:
+    with pipeline.built() as (_, world, _observers):
         world.reset(trial_seed(pipeline.header.seed, 0))
         return world.sketch()
 
