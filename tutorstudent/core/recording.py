@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote, unquote
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.component import Learned
+from tutorstudent.core.errors import ContractError, PipelineError
 from tutorstudent.core.levels import HIGHEST_LEVEL
 from tutorstudent.core.observers import Begin, Observer
 from tutorstudent.core.records import Turn
@@ -23,23 +26,33 @@ class Recorder(Observer):
     """Keeps every decision as numbers: kinds, situations, levels, bits, components, violations, lessons, events.
 
     `arrays` returns one entry for each column, shape (decisions,) or (decisions, n); names that index into a column
-    stand beside it (``kind_names`` for ``kind``). A level that was not taught is -1.
+    stand beside it (``kind_names`` for ``kind``). A level that was not taught is -1. Components that are no
+    floats are left out.
     """
 
     name = "recorder"
 
     def begin(self, begin: Begin) -> None:
-        self._components = list(begin.engine.tutor.action.vocabulary.components)
+        specs = begin.engine.tutor.action.vocabulary.components
+        self._components = [name for name, spec in specs.items() if spec.number]
         self._conditions = [condition.label for condition in begin.engine.conditions]
         self._events = list(begin.world.event_names)
         self._kinds = list(begin.engine.tutor.action.vocabulary.kinds)
         self._kind_of = {kind: i for i, kind in enumerate(self._kinds)}
         self._situation_of: dict[str, int] = {}
-        self._heads = np.zeros((begin.decisions, 10), dtype=np.int32)
-        self._executed = np.zeros((begin.decisions, len(self._components)))
-        self._violated = np.zeros((begin.decisions, len(self._conditions)), dtype=bool)
-        self._world = np.zeros((begin.decisions, len(self._events)))
         self._count = 0
+        try:
+            self._allocate(begin.decisions)
+        except MemoryError:
+            raise PipelineError(
+                f"there is no memory to record {begin.decisions:,} decisions; ask for fewer, as in decisions: 10000."
+            ) from None
+
+    def _allocate(self, decisions: int) -> None:
+        self._heads = np.zeros((decisions, 10), dtype=np.int32)
+        self._executed = np.zeros((decisions, len(self._components)))
+        self._violated = np.zeros((decisions, len(self._conditions)), dtype=bool)
+        self._world = np.zeros((decisions, len(self._events)))
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         i, decision, lesson = self._count, turn.decision, turn.lesson
@@ -100,12 +113,22 @@ def _words(words: list[str]) -> NDArray[np.str_]:
 def flat(state: Learned, prefix: str = "") -> Arrays:
     """Return nested learned state as one level of arrays, keyed by path.
 
+    Within a key, whatever is not a letter, digit or one of ``_.-~`` is written as in a URL, so that every path is
+    another one and can be read back.
+
+    Raises:
+        ContractError: if a key is no string.
+
     >>> {key: value.tolist() for key, value in flat({"student": {"w": [1.0], "n": 2}}).items()}
     {'student/w': [1.0], 'student/n': 2}
+    >>> list(flat({"a/b": 1, "a": {"b": 2}}))
+    ['a%2Fb', 'a/b']
     """
     arrays: Arrays = {}
     for key, value in state.items():
-        path = f"{prefix}{key}"
+        if not isinstance(key, str):
+            raise ContractError(f"the key {key!r} of learned state is no string; use strings.")
+        path = f"{prefix}{quote(key, safe='')}"
         arrays |= flat(value, f"{path}/") if isinstance(value, Mapping) else {path: np.asarray(value)}
     return arrays
 
@@ -118,7 +141,7 @@ def nested(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     """
     state: dict[str, Any] = {}
     for path, array in arrays.items():
-        *parents, key = path.split("/")
+        *parents, key = (unquote(word) for word in path.split("/"))
         place = state
         for parent in parents:
             place = place.setdefault(parent, {})
@@ -127,11 +150,14 @@ def nested(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
 
 
 def save_arrays(path: Path, arrays: Mapping[str, NDArray[Any]]) -> None:
-    """Write arrays as a compressed .npz; refuses anything that would need pickle."""
-    np.savez_compressed(path, allow_pickle=False, **dict(arrays))
+    """Write arrays as a compressed .npz under any names; refuses anything that would need pickle."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, array in arrays.items():
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                np.lib.format.write_array(member, np.asanyarray(array), allow_pickle=False)
 
 
 def load_arrays(path: Path) -> Arrays:
     """Read an .npz without pickle."""
     with np.load(path, allow_pickle=False) as stored:
-        return {key: stored[key] for key in stored.files}
+        return {name: stored[f"{name}.npy"] for name in stored.files}

@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
+from tutorstudent.core.rundir import writing
 from tutorstudent.study.extras import check_extras
 from tutorstudent.study.jobs import Finished, run_jobs
 from tutorstudent.study.media import terminal
@@ -65,21 +66,30 @@ def check_folder(out: Path) -> None:
     """Refuse a folder that holds something already.
 
     Raises:
-        PipelineError: if it does.
+        PipelineError: if it does, or cannot be read.
     """
-    if out.exists() and not out.is_dir():
-        raise PipelineError(f"--out {out}: there is a file of that name; give a folder.")
-    if out.is_dir() and any(out.iterdir()):
-        raise PipelineError(f"--out {out}: the folder is not empty; give a new one, or remove what is in it.")
+    with writing(out):
+        if out.exists() and not out.is_dir():
+            raise PipelineError(f"--out {out}: there is a file of that name; give a folder.")
+        if out.is_dir() and any(out.iterdir()):
+            raise PipelineError(f"--out {out}: the folder is not empty; give a new one, or remove what is in it.")
 
 
 def write_plan(plan: Plan, out: Path, registry: Registry) -> None:
-    """Write the plan, and the drawing of every environment."""
-    out.mkdir(parents=True, exist_ok=True)
+    """Write the plan, and the drawing of every environment.
+
+    Raises:
+        PipelineError: if the folder cannot be written.
+    """
+    with writing(out):
+        out.mkdir(parents=True, exist_ok=True)
     for environment in plan.environments:
         pipeline = reread(environment.name, environment.variants[0].pipeline | {"seed": plan.seeds[0]}, registry)
-        save_sketch(out / "sketches" / f"{environment.name}.json", sketch_of(pipeline))
-    save_plan(plan, out)
+        sketch = sketch_of(pipeline)
+        with writing(out):
+            save_sketch(out / "sketches" / f"{environment.name}.json", sketch)
+    with writing(out):
+        save_plan(plan, out)
 
 
 def execute(plan: Plan, out: Path, workers: int) -> list[Finished]:
@@ -95,10 +105,12 @@ def execute(plan: Plan, out: Path, workers: int) -> list[Finished]:
 def _problems(results: Iterable[Finished], progress: Progress, task: int) -> Iterable[Finished]:
     for finished in results:
         progress.advance(task)  # type: ignore[arg-type]
+        job, said = finished.job, finished.problem or finished.note
+        if said:
+            word = "failed" if finished.problem else "note"
+            text = f"{word}: {job.environment}, {job.variant}, seed {job.seed}: {said}"
+            progress.console.print(text, markup=False, highlight=False)
         if finished.problem:
-            job = finished.job
-            where = f"{job.environment}, {job.variant}, seed {job.seed}"
-            progress.console.print(f"failed: {where}: {finished.problem}", markup=False, highlight=False)
             yield finished
 
 

@@ -26,6 +26,8 @@ class Finished(NamedTuple):
     job: Job
     problem: str
     """Why it failed, or empty."""
+    note: str = ""
+    """What could not be saved although it did not fail, or empty."""
 
 
 def run_jobs(jobs: Sequence[Job], folder: Path, workers: int) -> Iterator[Finished]:
@@ -57,10 +59,10 @@ def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finishe
         pipeline = reread(str(job.folder), job.pipeline | own, registry or Registry.discover())
         with _one_thread():
             finished = run_pipeline(pipeline)
-        write_run(folder / job.folder, finished)
+        note = write_run(folder / job.folder, finished) or ""
     except Exception as error:
         return _failed(job, folder, f"{type(error).__name__}: {error}", traceback.format_exc())
-    return Finished(job, "")
+    return Finished(job, "", note)
 
 
 def _failed(job: Job, folder: Path, problem: str, trace: str) -> Finished:

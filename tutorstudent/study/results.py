@@ -77,7 +77,7 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
 
 def _run(job: Job, place: Path) -> Run:
     data = json.loads((place / RECORD).read_text(encoding="utf-8"))
-    summary: dict[str, float] = data["summary"]
+    summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
     share = {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
     return Run(job.environment, job.variant, job.seed, summary | share, place)
 
