@@ -76,7 +76,7 @@ class Tally(Observer):
 
 
 class WorldEvents(Observer):
-    """Summarizes the world's events, each as the world says, and finds the longest stall."""
+    """Summarizes the world's events, each as the world says."""
 
     name = "world-events"
 
@@ -84,7 +84,6 @@ class WorldEvents(Observer):
         self._how: Mapping[str, Summary] = begin.world.event_names
         self._values: dict[str, float] = {}
         self._count = 0
-        self._stall = self._longest = 0
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         self._count += 1
@@ -96,15 +95,10 @@ class WorldEvents(Observer):
                 self._values[name] = max(self._values.get(name, value), value)
             else:
                 self._values[name] = self._values.get(name, 0.0) + value
-        self._stall = self._stall + 1 if step.events.get("collided") else 0
-        self._longest = max(self._longest, self._stall)
 
     def summary(self) -> Mapping[str, float]:
         means = [name for name, how in self._how.items() if how == "mean"]
-        values = self._values | {name: self._values.get(name, 0.0) / max(1, self._count) for name in means}
-        if "collided" in self._how:
-            values["longest_stall"] = float(self._longest)
-        return values
+        return self._values | {name: self._values.get(name, 0.0) / max(1, self._count) for name in means}
 
 
 class Entries(Observer):

@@ -70,11 +70,12 @@ def test_events_count_ticks_decisions_and_new_contacts(make_world):
     pushes = [world.step(forward(0.5)).events for _ in range(3)]
     assert [push["stalled_ticks"] for push in pushes] == [2.0, 2.0, 2.0]
     assert [push["collided"] for push in pushes] == [1.0, 1.0, 1.0]
+    assert [push["longest_stall"] for push in pushes] == [1.0, 2.0, 3.0]
     assert [push["contacts"] for push in pushes] == [1.0, 0.0, 0.0]
     assert [push["contact_speed_mps"] for push in pushes] == pytest.approx([0.45, 0.0, 0.0])
     assert [push["distance_m"] for push in pushes] == [0.0, 0.0, 0.0]
     away = world.step(BACK).events
-    assert (away["stalled_ticks"], away["collided"], away["contacts"]) == (0.0, 0.0, 0.0)
+    assert (away["stalled_ticks"], away["collided"], away["longest_stall"], away["contacts"]) == (0.0, 0.0, 0.0, 0.0)
     assert away["distance_m"] == pytest.approx(0.054)
     assert sum(world.step(forward(0.3, 0.4)).events["contacts"] for _ in range(3)) == 1.0
 

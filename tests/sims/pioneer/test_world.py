@@ -112,6 +112,7 @@ def test_the_events_say_how_a_run_summarizes_them(make_world):
     assert dict(make_world("chase-avoid").event_names) == {
         "stalled_ticks": "sum",
         "collided": "sum",
+        "longest_stall": "max",
         "contacts": "sum",
         "contact_speed_mps": "max",
         "hit_by_others": "sum",

@@ -12,6 +12,7 @@ from tutorstudent.sims.pioneer.motion import FREE, Command
 EVENTS: Mapping[str, Summary] = {
     "stalled_ticks": "sum",
     "collided": "sum",
+    "longest_stall": "max",
     "contacts": "sum",
     "contact_speed_mps": "max",
     "hit_by_others": "sum",
@@ -23,8 +24,9 @@ EVENTS: Mapping[str, Summary] = {
     "heading_rad": "last",
 }
 """Stalled: the learner's own motion was refused. A contact is a stalled tick after a free one; ``hit_by_others`` counts
-the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled.
-``heading_rad`` is in (-pi, pi], while the heading of a pose counts on."""
+the same for other robots that the learner stopped. ``collided`` is 1 if any tick of the decision stalled, and
+``longest_stall`` is how many decisions in a row have collided by now. ``heading_rad`` is in (-pi, pi], while the
+heading of a pose counts on."""
 
 
 class Tally:
@@ -43,6 +45,7 @@ class Tally:
         self._tick_s = tick_s
         self._encounters = encounters
         self._was_stalled = False
+        self._collided_in_a_row = 0
         self._hitting: frozenset[int] = frozenset()
         self._contact_speed_mps = self._distance_m = 0.0
         self._stalled = self._contacts = self._hits = self._encountered = self._ticks = 0
@@ -68,9 +71,11 @@ class Tally:
 
     def take(self) -> dict[str, float]:
         """Return the events since the last time, by the names of `EVENTS`."""
+        self._collided_in_a_row = self._collided_in_a_row + 1 if self._stalled else 0
         events = {
             "stalled_ticks": float(self._stalled),
             "collided": float(self._stalled > 0),
+            "longest_stall": float(self._collided_in_a_row),
             "contacts": float(self._contacts),
             "contact_speed_mps": self._contact_speed_mps,
             "hit_by_others": float(self._hits),
