@@ -84,6 +84,30 @@ def test_a_folder_with_something_in_it_is_left_alone(files: dict[str, Path], tmp
     assert "there is a file of that name; give a folder" in str(result.exception)
 
 
+@pytest.mark.usefixtures("registry")
+@pytest.mark.parametrize("inner", ["file/out", "x" * 300])
+def test_a_folder_that_cannot_be_made_is_an_error_of_ours(files: dict[str, Path], tmp_path: Path, inner: str) -> None:
+    (tmp_path / "file").write_text("x")
+    result = call(files["full"], "--runs", 1, "--out", tmp_path / inner)
+    assert isinstance(result.exception, PipelineError)
+    assert f"{inner}: cannot be written: " in str(result.exception)
+
+
+@pytest.mark.usefixtures("registry")
+def test_what_could_not_be_saved_is_told_and_is_no_failure(
+    files: dict[str, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def forget(_: object) -> None:
+        raise RuntimeError("it slipped my mind")
+
+    monkeypatch.setattr("tutorstudent.core.rundir.flat", forget)
+    result = call(files["alone"], "--runs", 1, "--decisions", 5, "--out", tmp_path / "out")
+    assert 0 == result.exit_code, result.output
+    told = " ".join(result.output.split())
+    assert "note: short, alone, seed 0: " in told
+    assert "RuntimeError: it slipped my mind." in told
+
+
 def test_no_pipeline_is_a_usage_error() -> None:
     assert 2 == call().exit_code
 

@@ -97,6 +97,38 @@ def test_a_job_that_fails_is_told_and_the_others_go_on(
     assert "Traceback" in (tmp_path / failed[0].job.folder / "error.txt").read_text()
 
 
+def forget(_: object) -> None:
+    raise RuntimeError("it slipped my mind")
+
+
+def test_a_job_that_cannot_save_what_it_learned_has_not_failed_and_says_so(
+    files: dict[str, Path], registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tutorstudent.core.rundir.flat", forget)
+    plan = plan_of(files["full"], registry, runs=1)
+    (first, *_) = finished = list(run_jobs(plan.jobs(), tmp_path, 1))
+    assert {""} == {item.problem for item in finished}
+    assert "what was learned could not be saved: RuntimeError: it slipped my mind. The other" in first.note
+    study = read_study(tmp_path, plan)
+    assert (6, 0) == (len(study.runs), len(study.failures))
+
+
+def test_a_number_that_a_run_does_not_have_is_empty_in_the_results(
+    files: dict[str, Path], registry: Registry, tmp_path: Path
+) -> None:
+    plan = plan_of(files["alone"], registry)
+    list(run_jobs(plan.jobs(), tmp_path, 1))
+    record = tmp_path / plan.jobs()[0].folder / "run.json"
+    data = json.loads(record.read_text())
+    data["summary"]["turns"] = None
+    record.write_text(json.dumps(data))
+    study = read_study(tmp_path, plan)
+    assert [False, True] == ["turns" in run.summary for run in study.runs]
+    write_csv(tmp_path / "results.csv", study.runs)
+    header, first, _ = (line.split(",") for line in (tmp_path / "results.csv").read_text().splitlines())
+    assert "" == first[header.index("turns")]
+
+
 @pytest.mark.usefixtures("fresh_workers")
 def test_a_worker_that_dies_leaves_failures_and_no_traceback(
     files: dict[str, Path], registry: Registry, tmp_path: Path

@@ -32,7 +32,9 @@ LEGEND = (
 def compare(
     pipelines: Annotated[list[Path], typer.Argument(help="Pipeline files to compare, YAML.", show_default=False)],
     runs: Annotated[int, typer.Option(min=1, help="Runs of each pipeline and control in each environment.")] = 10,
-    decisions: Annotated[int | None, typer.Option(min=1, help="Decisions of a run; else what the files say.")] = None,
+    decisions: Annotated[
+        int | None, typer.Option(min=1, max=1_000_000_000, help="Decisions of a run; else what the files say.")
+    ] = None,
     workers: Annotated[int, typer.Option(min=1, help="Processes; the results are the same for any number.")] = 1,
     out: Annotated[Path, typer.Option(help="Folder for all results; it must be new or empty.")] = Path("studies/new"),
     vary: Annotated[
