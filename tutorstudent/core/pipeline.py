@@ -163,7 +163,9 @@ class Pipeline:
         if self._value("on_tutor_failure") == "raise":
             return None
         at: Location = ("on_tutor_failure",)
-        values = self._mapping("on_tutor_failure", f"{{kind: {tutor.action.vocabulary.kinds[-1]}}}")
+        groups = tutor.action.vocabulary.groups
+        calm = next((kind for kind in groups if not groups[kind]), "...")
+        values = self._mapping("on_tutor_failure", f"{{kind: {calm}}}")
         try:
             return tutor.action(**values)
         except ValidationError as error:
