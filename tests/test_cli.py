@@ -145,6 +145,31 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
     assert 1 == tutorstudent(*words, "--out", str(tmp_path / "b"), "--strict", PYTHONPATH=str(tmp_path)).returncode
 
 
+def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) -> None:
+    info = tmp_path / "acme-1.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1\n")
+    (info / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_student\n")
+    (tmp_path / "acme_student.py").write_text(
+        "import tutorstudent as ts\n"
+        "class Bad(ts.Student):\n"
+        "    name = 'bad'\n"
+        "    proposal = ts.LevelProposal\n"
+        "    def propose(self, moment): return ts.LevelProposal(level=1, ampbit=True)\n"
+        "    def teach(self, lesson): pass\n"
+        "    def state_dict(self): return {'mind': object()}\n"
+        "@ts.hookimpl\n"
+        "def tutorstudent_components(): return [Bad]\n"
+    )
+    words = ["run", str(FULL), "--decisions", "7", "--set", "student=bad", "--set", "selector=modifier"]
+    done = tutorstudent(*words, "--out", str(tmp_path / "run"), PYTHONPATH=str(tmp_path))
+    assert 0 == done.returncode
+    assert "Traceback" not in done.stderr
+    assert "learned" in done.stderr
+    assert "attractors" in done.stdout
+    assert {"pipeline.yaml", "run.json", "decisions.npz"} == {path.name for path in (tmp_path / "run").iterdir()}
+
+
 def test_what_plugins_say_is_text_and_no_markup(tmp_path: Path) -> None:
     info = tmp_path / "acme-1.dist-info"
     info.mkdir()

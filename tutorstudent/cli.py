@@ -58,8 +58,10 @@ def run(
     prepare(directory)
     with ProgressBar(f"{pipeline.stem}, seed {chosen.header.seed}") as bar:
         finished = run_pipeline(chosen, [bar])
-    write_run(directory, finished)
+    note = write_run(directory, finished)
     _print_summary(finished.summary)
+    if note:
+        typer.echo(f"tutorstudent: {note}", err=True)
     for (part, kind), count in sorted(finished.engine.incident_counts.items()):
         _say(f"incidents: {part}: {kind}: {count}")
     _say(f"written to {directory}")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from traceback import walk_tb
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -69,7 +68,7 @@ class Assembler:
         except TutorStudentError as error:
             name = self._document.name
             if not str(error).startswith((f"{name}:", f"{name} (")):
-                error.args = (f"{self._document.where(_being_bound(error) or at)}: {error}",)
+                error.args = (f"{self._document.where(_location(error.slot) or at)}: {error}",)
             raise
 
     def error(self, at: Location, problem: str) -> PipelineError:
@@ -86,8 +85,5 @@ class Assembler:
         return self.part(role.role, value, at)
 
 
-def _being_bound(error: TutorStudentError) -> Location:
-    # A part binds its own parts, and the engine binds them all: only the frames know which of them failed.
-    frames = [frame for frame, _ in walk_tb(error.__traceback__) if frame.f_code is Component.bind.__code__]
-    slot: str = frames[-1].f_locals["self"].slot if frames else ""
+def _location(slot: str) -> Location:
     return tuple(int(key) if key.isdigit() else key for key in slot.split(".")) if slot else ()

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJson
 from pydantic_core import CoreSchema, core_schema
 
 from tutorstudent.core.actions import Action
-from tutorstudent.core.errors import ContractError, PipelineError, listing, suggestion
+from tutorstudent.core.errors import ContractError, PipelineError, TutorStudentError, listing, suggestion
 
 Learned = Mapping[str, Any]
 """What was learned: arrays, numbers, strings, and mappings of these."""
@@ -95,7 +95,11 @@ class Component(abc.ABC):
         self.rng = stream(binding.seed, binding.slot)
         for key, part in self.parts():
             part.bind(binding._replace(slot=f"{binding.slot}.{key}"))
-        self.setup()
+        try:
+            self.setup()
+        except TutorStudentError as error:
+            error.slot = binding.slot
+            raise
 
     def parts(self) -> Iterator[tuple[str, Component]]:
         """Yield the nested components with the option that holds them."""

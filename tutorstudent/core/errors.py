@@ -20,6 +20,9 @@ from collections.abc import Iterable
 class TutorStudentError(Exception):
     """Base of every error that this package raises on purpose."""
 
+    slot: str = ""
+    """The slot of the part that was being set up, where that is what failed."""
+
 
 class PluginError(TutorStudentError):
     """A plugin is missing, doubled or broken."""

@@ -14,6 +14,7 @@ from tutorstudent.core.errors import PipelineError
 
 Key = int | str
 Location = tuple[Key, ...]
+DEEPEST = 50
 PLAIN_TAGS = {f"tag:yaml.org,2002:{name}" for name in ("map", "seq", "str", "int", "float", "bool", "null")}
 TAGGED: dict[type[Any], str] = {
     CommentedOrderedMap: "!!omap",
@@ -101,6 +102,8 @@ def parse_yaml(text: str, name: str) -> Document:
 
 
 def _plain(node: Any, at: Location, places: dict[Location, Place], name: str) -> Any:
+    if len(at) > DEEPEST:
+        raise PipelineError(f"{name}: it is nested too deeply, or in itself; write it flat.")
     tag = TAGGED.get(type(node)) or getattr(getattr(node, "tag", None), "value", None)
     if tag is not None and str(tag) not in PLAIN_TAGS:
         position = _position(name, places.get(at))
