@@ -133,6 +133,24 @@ def test_boxes_can_be_given_another_size():
     assert {item.half_length_m for item in load_layout("cave-box", box_side_m=1.0).boxes} == {0.5}
 
 
+def test_the_boxes_of_a_scene_can_be_moved_in_their_order_and_in_the_scene_s_units():
+    places = [(10.0 * i, 50.0) for i in range(6)]
+    moved, own = load_layout("cave-box", box_places=places).boxes, load_layout("cave-box").boxes
+
+    assert [1.5 * i for i in range(6)] == pytest.approx([box.x_m for box in moved])
+    assert {7.5} == {box.y_m for box in moved}
+    assert [box.colour for box in own] == [box.colour for box in moved]
+
+
+def test_a_scene_without_boxes_stays_as_it_is_wherever_boxes_are_moved_to():
+    assert () == load_layout("chase-avoid", box_places=[(1.0, 1.0)]).boxes
+
+
+def test_moving_boxes_wants_a_place_for_each():
+    with pytest.raises(PipelineError, match=r"'box_places' has 1 places, but .*cave-box.yaml has 6 boxes; give one"):
+        load_layout("cave-box", box_places=[(1.0, 1.0)])
+
+
 def test_a_scene_in_metres_cannot_be_scaled(make_world):
     with pytest.raises(PipelineError, match=r"'side_m' scales scenes in percent, but .*chase-avoid\.yaml is in metres"):
         make_world("chase-avoid", side_m=10.0).reset(1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -40,13 +40,16 @@ class Layout:
         return next(i for i, robot in enumerate(self.robots) if robot.controller == "learner")
 
 
-def load_layout(scene: str, side_m: float | None = None, box_side_m: float | None = None) -> Layout:
+def load_layout(
+    scene: str, side_m: float | None = None, box_side_m: float | None = None, box_places: Sequence[Point] = ()
+) -> Layout:
     """Read a scene and return it in metres.
 
     Args:
         scene: A shipped name or a path.
         side_m: Side of the square instead of the scene's own; only for scenes in percent.
         box_side_m: Side of every box instead of the scene's own.
+        box_places: Where the boxes stand instead of the scene's own places, in their order and in its units.
     """
     path = find_scene(scene)
     spec, walls = read_scene(path)
@@ -61,10 +64,22 @@ def load_layout(scene: str, side_m: float | None = None, box_side_m: float | Non
     unit_m = units[spec.units]
     arena, islands = read_ros_map(Path(walls.ros_map)) if isinstance(walls, RosMap) else _walls(walls, units)
     starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
-    boxes = [_box(box, unit_m, box_side_m or box.side_m) for box in spec.boxes]
+    places = _places(spec.boxes, box_places, path)
+    boxes = [_box(box, at, unit_m, box_side_m or box.side_m) for box, at in zip(spec.boxes, places, strict=True)]
     solids = [arena, thickened(arena), *islands, *(box.corners() for box in boxes)]
     picture = facades([arena, *islands])
     return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts), prisms(solids), picture)
+
+
+def _places(boxes: Sequence[Box], places: Sequence[Point], path: Path) -> Sequence[Point]:
+    if not boxes or not places:
+        return [(box.x, box.y) for box in boxes]
+    if len(places) != len(boxes):
+        raise PipelineError(
+            f"world 'pioneer': option 'box_places' has {len(places)} places, but {path} has {len(boxes)} boxes; "
+            "give one place for each."
+        )
+    return places
 
 
 def _walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:
@@ -78,7 +93,7 @@ def _outline(shape: Circle | list[Point], unit_m: float) -> Outline:
     return [(x * unit_m, y * unit_m) for x, y in shape]
 
 
-def _box(box: Box, unit_m: float, side_m: float) -> Rectangle:
+def _box(box: Box, at: Point, unit_m: float, side_m: float) -> Rectangle:
     heading = math.radians(box.heading_deg)
     half = side_m / 2
-    return Rectangle(box.colour, box.x * unit_m, box.y * unit_m, math.cos(heading), math.sin(heading), half, half)
+    return Rectangle(box.colour, at[0] * unit_m, at[1] * unit_m, math.cos(heading), math.sin(heading), half, half)

@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import model_validator
 
 from tutorstudent.core.component import Field, Options
+from tutorstudent.core.world import Point
 from tutorstudent.sims.pioneer.actors import PredatorOptions, PreyOptions
 
 
@@ -18,6 +19,12 @@ class PioneerOptions(Options):
     )
     side_m: float | None = Field(None, gt=0, le=1000, description="side of a scene in percent, instead of its own, m")
     box_side_m: float | None = Field(None, gt=0, le=100, description="side of every box, instead of its own, m")
+    box_places: tuple[Point, ...] = Field(
+        (),
+        max_length=1000,
+        description="x and y of every box, in their order and the scene's units, instead of its own; a scene without "
+        "boxes stays as it is",
+    )
     pose_jitter_m: float = Field(
         0.0, ge=0, le=1, description="start positions vary by up to this with the seed, m in x and y"
     )

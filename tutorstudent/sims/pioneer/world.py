@@ -46,7 +46,9 @@ class PioneerWorld(World[PioneerState, DriveAction]):
         Raises:
             PipelineError: The scene cannot be used, or pybullet is not installed.
         """
-        self._layout = load_layout(self.options.scene, self.options.side_m, self.options.box_side_m)
+        self._layout = load_layout(
+            self.options.scene, self.options.side_m, self.options.box_side_m, self.options.box_places
+        )
         if self._bullet is None:
             self.connect(Bullet(load_pybullet(), self.options.gui))
 
