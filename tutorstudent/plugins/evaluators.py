@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from pydantic import model_validator
+
+from tutorstudent.core import component
 from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component
+from tutorstudent.core.component import Component, Field, Part
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import Evaluator
 from tutorstudent.core.records import Decision, GradedAction, Lesson, Outcome, StateT
@@ -36,7 +41,38 @@ class Conditions(Evaluator[StateT, ActionT]):
         return Lesson(decision.moment, target, decision.resulting.level, decision.executed, outcome)
 
 
+class IntervalOptions(component.Options):
+    """Which decisions are taught about, and how."""
+
+    begin: int = Field(default=0, ge=0, description="first decision that is taught about, counted from 0")
+    end: int | None = Field(default=None, ge=1, description="first decision that no longer is; none: no end")
+    evaluator: Part[Evaluator[Any, Any]] = Field(default_factory=Conditions, description="says what is taught")
+
+    @model_validator(mode="after")
+    def _not_empty(self) -> IntervalOptions:
+        if self.end is not None and self.end <= self.begin:
+            raise ValueError(f"end ({self.end}) must be more than begin ({self.begin}), or nothing is ever taught")
+        return self
+
+
+class Interval(Evaluator[StateT, ActionT]):
+    """Teach as another evaluator does, but only about the decisions in [begin, end) (Thesis 5.2.5).
+
+    Violations are counted throughout; outside the interval the other evaluator is not asked.
+    """
+
+    name = "interval"
+    Options = IntervalOptions
+
+    def evaluate(self, decision: Decision[StateT, ActionT], outcome: Outcome[StateT]) -> Lesson[StateT, ActionT] | None:
+        begin, end = self.options.begin, self.options.end
+        if decision.moment.number < begin or (end is not None and decision.moment.number >= end):
+            return None
+        lesson: Lesson[StateT, ActionT] | None = self.options.evaluator.evaluate(decision, outcome)
+        return lesson
+
+
 @hookimpl
 def tutorstudent_components() -> list[type[Component]]:
     """Return the shipped evaluators."""
-    return [Conditions]
+    return [Conditions, Interval]
