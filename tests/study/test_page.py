@@ -12,7 +12,6 @@ import pytest
 
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.world import Sketch
-from tutorstudent.study.command import write_plan
 from tutorstudent.study.jobs import run_jobs
 from tutorstudent.study.maps import _way, level_scale, way_map
 from tutorstudent.study.page import page
@@ -24,6 +23,7 @@ from tutorstudent.study.requests import read_pipelines, read_variation
 from tutorstudent.study.results import Study
 from tutorstudent.study.sketches import load_sketch, save_sketch
 from tutorstudent.study.strips import strip
+from tutorstudent.study.studies import write_plan
 from tutorstudent.study.tables import CONTROLS
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}

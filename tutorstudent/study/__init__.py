@@ -3,12 +3,60 @@
 | step | module |
 |---|---|
 | what runs in which environments, with which controls | `requests`, `resolving`, `controls`, `plan`, `planning` |
-| every run, in parallel, each into a folder of its own | `jobs` |
+| every run, in parallel, each into a folder of its own | `jobs`, `progress` |
 | what is on disk | `results`, `sketches` |
 | numbers, and how they are written | `statistics`, `columns`, `tables` |
 | pictures | `curves`, `palette`, `svg`, `panels`, `strips`, `maps`, `pictures` |
 | the page | `media`, `page`, `report` |
-| all of it | `command` |
+| all of it | `studies`, `command` |
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.
+
+In a script: `make_plan` and `run_study`; or `run_jobs` and `read_runs` with jobs of its own, each with its pipeline.
 """
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tutorstudent.study.jobs import Finished, run_jobs
+from tutorstudent.study.plan import Environment, Job, Plan, Variant, load_plan, save_plan
+from tutorstudent.study.planning import Request, make_plan
+from tutorstudent.study.requests import Setting, read_pipelines, read_setting, read_variation
+from tutorstudent.study.results import Failure, Run, Study, read_runs, read_study
+from tutorstudent.study.studies import run_study
+
+if TYPE_CHECKING:
+    from tutorstudent.study.report import write_report
+
+__all__ = [
+    "Environment",
+    "Failure",
+    "Finished",
+    "Job",
+    "Plan",
+    "Request",
+    "Run",
+    "Setting",
+    "Study",
+    "Variant",
+    "load_plan",
+    "make_plan",
+    "read_pipelines",
+    "read_runs",
+    "read_setting",
+    "read_study",
+    "read_variation",
+    "run_jobs",
+    "run_study",
+    "save_plan",
+    "write_report",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "write_report":  # matplotlib is an extra, and slow to import
+        from tutorstudent.study.report import write_report
+
+        return write_report
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import writing
 from tutorstudent.study.extras import check_extras
-from tutorstudent.study.jobs import Finished, run_jobs
 from tutorstudent.study.media import terminal
-from tutorstudent.study.plan import Plan, save_plan
 from tutorstudent.study.planning import Request, make_plan
 from tutorstudent.study.requests import read_pipelines, read_setting, read_variation
-from tutorstudent.study.resolving import reread, sketch_of
-from tutorstudent.study.sketches import save_sketch
+from tutorstudent.study.results import Study
+from tutorstudent.study.studies import check_folder, run_study
 from tutorstudent.study.tables import digest_table
 
 LEGEND = (
@@ -57,63 +51,10 @@ def compare(
         given = {name: read_setting("--set", text).apply(pipeline) for name, pipeline in given.items()}
     variations = read_variation("--vary", vary) if vary is not None else []
     plan = make_plan(Request(given, runs, seed, decisions, variations, controls), registry)
-    write_plan(plan, out, registry)
-    problems = execute(plan, out, workers)
-    show(out)
-    if problems:
+    study = run_study(plan, out, workers)
+    show(study)
+    if study.failures:
         raise typer.Exit(1)
-
-
-def check_folder(out: Path) -> None:
-    """Refuse a folder that holds something already.
-
-    Raises:
-        PipelineError: if it does, or cannot be read.
-    """
-    with writing(out):
-        if out.exists() and not out.is_dir():
-            raise PipelineError(f"--out {out}: there is a file of that name; give a folder.")
-        if out.is_dir() and any(out.iterdir()):
-            raise PipelineError(f"--out {out}: the folder is not empty; give a new one, or remove what is in it.")
-
-
-def write_plan(plan: Plan, out: Path, registry: Registry) -> None:
-    """Write the plan, and the drawing of every environment.
-
-    Raises:
-        PipelineError: if the folder cannot be written.
-    """
-    with writing(out):
-        out.mkdir(parents=True, exist_ok=True)
-    for environment in plan.environments:
-        pipeline = reread(environment.name, environment.variants[0].pipeline | {"seed": plan.seeds[0]}, registry)
-        sketch = sketch_of(pipeline)
-        with writing(out):
-            save_sketch(out / "sketches" / f"{environment.name}.json", sketch)
-    with writing(out):
-        save_plan(plan, out)
-
-
-def execute(plan: Plan, out: Path, workers: int) -> list[Finished]:
-    """Run all jobs with a progress bar and return those that failed."""
-    jobs = plan.jobs()
-    console = Console(stderr=True)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console) as progress:
-        task = progress.add_task(f"runs of {plan.decisions} decisions", total=len(jobs))
-        return list(_problems(run_jobs(jobs, out, workers), progress, task))
-
-
-def _problems(results: Iterable[Finished], progress: Progress, task: int) -> Iterable[Finished]:
-    for finished in results:
-        progress.advance(task)  # type: ignore[arg-type]
-        job, said = finished.job, finished.problem or finished.note
-        if said:
-            word = "failed" if finished.problem else "note"
-            text = f"{word}: {job.environment}, {job.variant}, seed {job.seed}: {said}"
-            progress.console.print(text, markup=False, highlight=False)
-        if finished.problem:
-            yield finished
 
 
 def report(
@@ -121,15 +62,16 @@ def report(
 ) -> None:
     """Make tables and page of a comparison again, from what is on disk; nothing is run."""
     check_extras()
-    show(folder)
+    from tutorstudent.study.report import write_report  # matplotlib is an extra
+
+    show(write_report(folder))
 
 
-def show(out: Path) -> None:
-    """Write the report and print a digest of its tables."""
-    from tutorstudent.study.report import MARKDOWN, PAGE, write_report  # matplotlib is an extra
+def show(study: Study) -> None:
+    """Print a digest of a study's tables, and where the report is."""
+    from tutorstudent.study.report import MARKDOWN, PAGE  # matplotlib is an extra
 
-    console = Console()
-    study = write_report(out)
+    console, out = Console(), study.folder
     for environment in study.plan.environments:
         console.rule(environment.name, align="left")
         console.print(terminal(digest_table(study, environment)), "\n")

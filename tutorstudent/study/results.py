@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -55,13 +55,19 @@ class Study(NamedTuple):
 
 def read_study(folder: Path, plan: Plan) -> Study:
     """Read the runs of a plan; those that failed or never ran are failures, none is left out."""
+    runs, failures = read_runs(folder, plan.jobs())
+    return Study(folder, plan, tuple(runs), tuple(failures))
+
+
+def read_runs(folder: Path, jobs: Iterable[Job]) -> tuple[list[Run], list[Failure]]:
+    """Read what jobs left below a folder, by environment, variant and seed; those without results are failures."""
     runs, failures = [], []
-    for job in sorted(plan.jobs(), key=lambda job: (job.environment, job.variant, job.seed)):
+    for job in sorted(jobs, key=lambda job: (job.environment, job.variant, job.seed)):
         if (folder / job.folder / RECORD).exists():
             runs.append(_run(job, folder / job.folder))
         else:
             failures.append(Failure(job.environment, job.variant, job.seed, _problem(folder / job.folder)))
-    return Study(folder, plan, tuple(runs), tuple(failures))
+    return runs, failures
 
 
 def write_csv(path: Path, runs: Sequence[Run]) -> None:
