@@ -24,7 +24,7 @@ CORE_ORDER = [
     {"engine"},
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlfile"},
-    {"registry", "adapters", "settings"},
+    {"registry", "adapters", "settings", "extending"},
     {"assembly"},
     {"pipeline"},
     {"rundir", "schema"},

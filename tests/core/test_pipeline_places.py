@@ -152,8 +152,8 @@ def pipeline(text: str = PIPELINE) -> Pipeline:
     [
         ({"seed": -1}, "p.yaml (with seed=-1): seed: pipeline: option 'seed': input should be greater"),
         ({"world.length_m": -2}, "p.yaml (with world.length_m=-2): world.length_m: world 'rail': option 'length_m'"),
-        ({"tutor": {"use": "pushr"}}, 'p.yaml (with tutor={"use": "pushr"}): tutor: no tutor named'),
-        ({"world.use": "rial"}, "p.yaml:3:1 (with world.use=rial): world: no world named 'rial'"),
+        ({"tutor": {"use": "pushr"}}, 'p.yaml (with tutor={"use": "pushr"}): tutor.use: no tutor named'),
+        ({"world.use": "rial"}, "p.yaml (with world.use=rial): world.use: no world named 'rial'"),
         ({"selector": "modifier"}, "p.yaml (with selector=modifier): selector 'modifier' needs LevelProposal"),
         ({"limits": list(range(30))}, "p.yaml (with limits=[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11...): limits: found"),
         ({"seed": 9, "conditions": ["crashd"]}, 'p.yaml (with conditions=["crashd"]): conditions.0: no condition'),

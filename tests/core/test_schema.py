@@ -36,6 +36,37 @@ def test_shipped_pipelines_validate(path: Path) -> None:
     jsonschema.validate(read_yaml(path).data, pipeline_schema(Registry.discover()))
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "seed: 5",
+        "student: {encoder: {steps: 4}}",
+        "student: {use: backprop, encoder: {use: ranges}}",
+        "student: table",
+        "world: {length_m: 2}",
+        "limits: {factor: 2}",
+        "conditions: [crashed]",
+    ],
+)
+def test_a_file_that_extends_another_says_only_what_differs(schema: dict[str, Any], text: str) -> None:
+    jsonschema.validate(parse_yaml(f"extends: base.yaml\n{text}", "p").data, schema)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["extends: 7", "extends: ''", "extends: b\ntutr: x", "extends: b\nseed: x", "extends: b\nstudent: {hiden: 3}"],
+)
+def test_a_file_that_extends_another_is_checked_too(schema: dict[str, Any], text: str) -> None:
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(parse_yaml(text, "p").data, schema)
+
+
+def test_a_file_that_extends_nothing_names_tutor_and_student(schema: dict[str, Any]) -> None:
+    with pytest.raises(jsonschema.ValidationError, match="'tutor' is a required property"):
+        jsonschema.validate(parse_yaml("seed: 5", "p").data, schema)
+
+
 def test_every_reference_of_the_schema_leads_somewhere(schema: dict[str, Any]) -> None:
     def references(node: Any) -> list[str]:
         if isinstance(node, dict):

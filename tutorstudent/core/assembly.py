@@ -27,13 +27,14 @@ class Assembler:
         """Return the component that a node names: a word, or a mapping with ``use`` and the options beside it."""
         if isinstance(node, Component):
             return node
+        named_at = at if isinstance(node, str) else (*at, "use")
         if isinstance(node, str):
             node = {"use": node}
         if not isinstance(node, dict) or not isinstance(node.get("use"), str):
             raise self.error(
                 at, f"found {node!r}; a {role} is named by a word or by a mapping with 'use', as in {{use: name}}."
             )
-        with self.placed(at):
+        with self.placed(named_at):
             cls = self._registry.get(role, node["use"])
         options = {key: self._option(cls, key, value, (*at, key)) for key, value in node.items() if key != "use"}
         self.model(cls.Options, options, at, f"{role} '{cls.name}'")
@@ -66,14 +67,16 @@ class Assembler:
         try:
             yield
         except TutorStudentError as error:
-            name = self._document.name
-            if not str(error).startswith((f"{name}:", f"{name} (")):
+            if not error.placed:
                 error.args = (f"{self._document.where(_location(error.slot) or at)}: {error}",)
+                error.placed = True
             raise
 
     def error(self, at: Location, problem: str) -> PipelineError:
         """Return the error that says where and what."""
-        return PipelineError(f"{self._document.where(at)}: {problem}")
+        error = PipelineError(f"{self._document.where(at)}: {problem}")
+        error.placed = True
+        return error
 
     def _option(self, cls: type[Component], key: str, value: Any, at: Location) -> Any:
         field = cls.Options.model_fields.get(key)

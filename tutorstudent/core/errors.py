@@ -22,6 +22,8 @@ class TutorStudentError(Exception):
 
     slot: str = ""
     """The slot of the part that was being set up, where that is what failed."""
+    placed: bool = False
+    """Whether the message begins with the place in a file."""
 
 
 class PluginError(TutorStudentError):

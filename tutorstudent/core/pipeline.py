@@ -16,6 +16,7 @@ from tutorstudent.core.assembly import Assembler
 from tutorstudent.core.component import Binding, Component, Options, option_problems
 from tutorstudent.core.engine import Engine
 from tutorstudent.core.errors import PipelineError, listing, suggestion
+from tutorstudent.core.extending import EXTENDS, read_extended
 from tutorstudent.core.guard import OnIncident
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.limits import Limits
@@ -24,7 +25,7 @@ from tutorstudent.core.registry import Registry
 from tutorstudent.core.runner import check_world
 from tutorstudent.core.settings import as_setting, set_value
 from tutorstudent.core.world import World
-from tutorstudent.core.yamlfile import Document, Location, read_yaml
+from tutorstudent.core.yamlfile import Document, Location
 
 SLOTS = ("tutor", "student", "selector", "amplifier", "evaluator")
 DEFAULTS: dict[str, Any] = {
@@ -37,7 +38,7 @@ DEFAULTS: dict[str, Any] = {
     "on_tutor_failure": "raise",
 }
 PLAIN = ("seed", "decisions", "on_incident")
-KEYS = [*PLAIN, *SLOTS, "world", "conditions", "limits", "observers", "on_tutor_failure"]
+KEYS = [EXTENDS, *PLAIN, *SLOTS, "world", "conditions", "limits", "observers", "on_tutor_failure"]
 
 
 class Header(Options):
@@ -66,13 +67,15 @@ class Pipeline:
         self.registry = registry or Registry.discover()
         self._assembler = Assembler(document, self.registry)
         self._assembler.check_keys(document.data, KEYS, ())
+        if EXTENDS in document.data:
+            raise self._assembler.error((EXTENDS,), "only a file can extend another; write the key into the file.")
         plain = {key: document.data[key] for key in PLAIN if key in document.data}
         self.header = self._assembler.model(Header, plain, (), "pipeline")
 
     @classmethod
     def read(cls, path: Path | str, registry: Registry | None = None) -> Pipeline:
-        """Return the pipeline of a YAML file."""
-        return cls(read_yaml(Path(path)), registry)
+        """Return the pipeline of a YAML file, and of what that file extends."""
+        return cls(read_extended(Path(path)), registry)
 
     def replaced(self, values: Mapping[str, Any]) -> Pipeline:
         """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``.

@@ -7,6 +7,7 @@ from typing import Any
 from pydantic.json_schema import models_json_schema
 
 from tutorstudent.core.component import ROLE_KEY, Component
+from tutorstudent.core.extending import EXTENDS
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.pipeline import SLOTS, Header
 from tutorstudent.core.registry import ROLES, Registry
@@ -14,29 +15,62 @@ from tutorstudent.core.registry import ROLES, Registry
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
+EXTENDING = "extending:"
+"""Begins the definitions for a file that extends another, in which every key and option may be left out."""
+
+
 def pipeline_schema(registry: Registry) -> dict[str, Any]:
     """Return the schema; editors complete and validate pipelines with it."""
     definitions: dict[str, Any] = {role: _role(role, registry) for role in ROLES}
     for installed in registry:
         definitions |= _component(installed.cls)
-    header = Header.model_json_schema()
     _, shared = models_json_schema([(Limits, "validation")])
+    definitions |= shared.get("$defs", {})
+    whole = {"properties": _properties(), "required": ["tutor", "student"]}
     return {
         "$schema": DIALECT,
         "title": "tutorstudent pipeline",
         "type": "object",
         "additionalProperties": False,
-        "required": ["tutor", "student"],
-        "properties": header["properties"]
+        "properties": {EXTENDS: _EXTENDS} | {key: {} for key in _properties()},
+        "if": {"required": [EXTENDS]},
+        "then": _partial(whole),
+        "else": whole,
+        "$defs": definitions | {f"{EXTENDING}{name}": _partial(value) for name, value in definitions.items()},
+    }
+
+
+_EXTENDS = {
+    "type": "string",
+    "minLength": 1,
+    "description": "another pipeline file, relative to this one; here stands only what differs from it",
+}
+
+
+def _properties() -> dict[str, Any]:
+    properties: dict[str, Any] = Header.model_json_schema()["properties"]
+    return (
+        properties
         | {slot: {"$ref": f"#/$defs/{slot}"} for slot in (*SLOTS, "world")}
         | {
             "conditions": {"type": "array", "items": {"$ref": "#/$defs/condition"}},
             "observers": {"type": "array", "items": {"$ref": "#/$defs/observer"}},
             "limits": {"$ref": "#/$defs/Limits"},
             "on_tutor_failure": {"anyOf": [{"const": "raise"}, {"type": "object", "required": ["kind"]}]},
-        },
-        "$defs": definitions | shared.get("$defs", {}),
-    }
+        }
+    )
+
+
+def _partial(node: Any) -> Any:
+    """Return a schema in which nothing is required, for values that are merged with those of another file."""
+    if isinstance(node, list):
+        return [_partial(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    lead = "#/$defs/"
+    reference = {"$ref": node["$ref"].replace(lead, f"{lead}{EXTENDING}")} if isinstance(node.get("$ref"), str) else {}
+    kept = {key: value for key, value in node.items() if key != "required" or not isinstance(value, list)}
+    return {key: _partial(value) for key, value in kept.items()} | reference
 
 
 def _role(role: str, registry: Registry) -> dict[str, Any]:

@@ -30,6 +30,8 @@ class Place(NamedTuple):
 
     line: int
     column: int
+    file: str = ""
+    """Where it is not the document's own: what a file extends stands in another one."""
 
 
 class Document(NamedTuple):
@@ -68,7 +70,7 @@ def _overlap(one: Location, other: Location) -> bool:
 
 
 def _position(name: str, place: Place | None) -> str:
-    return f"{name}:{place.line}:{place.column}" if place else name
+    return f"{place.file or name}:{place.line}:{place.column}" if place else name
 
 
 def read_yaml(path: Path) -> Document:
