@@ -3,7 +3,7 @@
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 BIN := $(VENV)/bin
-PIPELINES := examples/prototype2/pipelines
+PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
 .PHONY: help demo picture compare test check format lint types tests soak bench install clean

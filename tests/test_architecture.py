@@ -24,7 +24,7 @@ CORE_ORDER = [
     {"engine"},
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlfile"},
-    {"registry", "adapters", "settings", "extending"},
+    {"registry", "adapters", "settings", "transplanting", "extending"},
     {"assembly"},
     {"pipeline"},
     {"rundir", "schema"},

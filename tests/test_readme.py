@@ -14,7 +14,7 @@ from tutorstudent.core.yamlfile import parse_yaml
 from tutorstudent.sims.pioneer.types import DriveAction
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "pipelines"
+EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
 
 
 def blocks(language: str) -> list[str]:

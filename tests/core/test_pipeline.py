@@ -14,7 +14,7 @@ from tutorstudent.core.registry import Registry
 from tutorstudent.core.yamlfile import parse_yaml
 
 REGISTRY = toy_registry()
-EXAMPLES = Path(__file__).parents[2] / "examples" / "prototype2" / "pipelines"
+EXAMPLES = Path(__file__).parents[2] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
 
 
 def pipeline(text: str = PIPELINE) -> Pipeline:

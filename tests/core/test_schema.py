@@ -15,7 +15,7 @@ from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.yamlfile import parse_yaml, read_yaml
 
 ROOT = Path(__file__).parents[2]
-SHIPPED = sorted((ROOT / "examples" / "prototype2" / "pipelines").glob("*.yaml"))
+SHIPPED = sorted((ROOT / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines").glob("*.yaml"))
 
 
 @pytest.fixture(scope="module")

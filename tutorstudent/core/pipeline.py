@@ -24,6 +24,7 @@ from tutorstudent.core.observers import Observer
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.runner import check_world
 from tutorstudent.core.settings import as_setting, set_value
+from tutorstudent.core.transplanting import LearnedFile, transplant
 from tutorstudent.core.world import World
 from tutorstudent.core.yamlfile import Document, Location
 
@@ -37,7 +38,7 @@ DEFAULTS: dict[str, Any] = {
     "limits": {},
     "on_tutor_failure": "raise",
 }
-PLAIN = ("seed", "decisions", "on_incident")
+PLAIN = ("seed", "decisions", "on_incident", "learned")
 KEYS = [EXTENDS, *PLAIN, *SLOTS, "world", "conditions", "limits", "observers", "on_tutor_failure"]
 
 
@@ -47,6 +48,7 @@ class Header(Options):
     seed: int = Field(0, ge=0, description="the one seed from which every random stream is derived")
     decisions: int = Field(10_000, ge=1, le=1_000_000_000, description="how many decisions a run takes")
     on_incident: OnIncident = Field("continue", description="what to do when a part breaks its contract")
+    learned: LearnedFile | None = Field(None, description="learned.npz of a run, what the student begins with")
 
 
 class Built(NamedTuple):
@@ -113,13 +115,11 @@ class Pipeline:
         """
         _check_given(given)
         parts = {slot: self._part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
-        conditions = given.get("conditions")
-        if conditions is None:
+        if (conditions := given.get("conditions")) is None:
             conditions = self._assembler.parts("condition", self._value("conditions"), ("conditions",))
-        values = self._mapping("limits", "{cap: 0.8}")
-        limits = self._assembler.model(Limits, values, ("limits",), "limits")
+        limits = self._assembler.model(Limits, self._mapping("limits", "{cap: 0.8}"), ("limits",), "limits")
         with self._assembler.placed(()):
-            return Engine(
+            engine: Engine[Any, Any, Any] = Engine(
                 **parts,
                 conditions=conditions,
                 limits=limits,
@@ -127,6 +127,10 @@ class Pipeline:
                 on_incident=self.header.on_incident,
                 on_tutor_failure=self._failure_action(parts["tutor"]),
             )
+        if self.header.learned is not None:
+            with self._assembler.placed(("learned",)):
+                transplant(self.header.learned, engine.student)
+        return engine
 
     def world(self, action: type[Any]) -> World[Any, Any]:
         """Build the world that the file names, bound for the actions of the engine."""
@@ -166,8 +170,7 @@ class Pipeline:
         if self._value("on_tutor_failure") == "raise":
             return None
         at: Location = ("on_tutor_failure",)
-        groups = tutor.action.vocabulary.groups
-        calm = next((kind for kind in groups if not groups[kind]), "...")
+        calm = next((kind for kind, group in tutor.action.vocabulary.groups.items() if not group), "...")
         values = self._mapping("on_tutor_failure", f"{{kind: {calm}}}")
         try:
             return tutor.action(**values)
