@@ -1,0 +1,81 @@
+"""What the calibration found, as Markdown."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from tutorstudent_prototype2.calibration.agreement import TARGETS
+from tutorstudent_prototype2.calibration.choices import CHOICES
+from tutorstudent_prototype2.calibration.freezing import Candidate, load_candidates
+from tutorstudent_prototype2.calibration.predictive import COVERAGE, LEARNERS, cells, interval, load_predictions
+from tutorstudent_prototype2.calibration.walks import Look, load_looks, stays
+from tutorstudent_prototype2.thesis import cell
+
+MEASURES = {"attractors": "attractors", "collided": "collisions"}
+
+
+def described(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]:
+    """Yield lines about the files that exist."""
+    seen = load_looks(looks)
+    yield from _walks(seen)
+    if candidates.exists():
+        yield from _candidates(load_candidates(candidates))
+    if predictions.exists():
+        yield from _predictive(seen, predictions)
+
+
+def _walks(looks: Sequence[Look]) -> Iterator[str]:
+    stood = stays(looks)
+    ended = Counter(list(look.counts)[-1] for look in looks if not look.agrees)
+    against = ", ".join(f"{scene} {count}" for scene, count in ended.most_common())
+    yield f"{len(looks)} settings looked at, {len(stood)} agree with prototype 2's rows. Spoken against by: {against}."
+    yield ""
+    yield "| free choice | bounds | middle 90 % of the settings that agree (median) |"
+    yield "|---|---|---|"
+    for name, choice in CHOICES.items():
+        found = interval([look.choices[name] for look, _ in stood], [rounds for _, rounds in stood])
+        yield f"| {name} | {choice.low:g} to {choice.high:g} | {found.low:.3g} to {found.high:.3g} ({found.median:.3g}) |"
+    yield ""
+
+
+def _candidates(candidates: Sequence[Candidate]) -> Iterator[str]:
+    yield "| candidate | misfit | " + " | ".join(f"{scene}: attractors, collisions" for scene in TARGETS) + " |"
+    yield "|---|---:|" + "---:|" * len(TARGETS)
+    for candidate in candidates:
+        means = [_means(candidate, scene) for scene in TARGETS]
+        name = f"walk {candidate.look.walk}, round {candidate.look.round}"
+        yield f"| {name} | {candidate.misfit:.2f} | " + " | ".join(f"{a:.1f}, {c:.1f}" for a, c in means) + " |"
+    yield ""
+
+
+def _means(candidate: Candidate, scene: str) -> tuple[float, float]:
+    runs = candidate.runs[scene]
+    return float(np.mean([run.attractors for run in runs])), float(np.mean([run.collided for run in runs]))
+
+
+def _predictive(looks: Sequence[Look], path: Path) -> Iterator[str]:
+    predictions = load_predictions(path)
+    weights = {(look.walk, look.round): rounds for look, rounds in stays(looks)}
+    yield f"Prototype 2A under each of {len({item[:2] for item in predictions})} settings that agree:"
+    for measure, word in MEASURES.items():
+        found = cells(predictions, weights, measure)
+        yield ""
+        yield f"| {word} | learning phase | thesis | {100 * COVERAGE:.0f} % of predictions | width | median | inside |"
+        yield "|---|---:|---:|---:|---:|---:|---|"
+        for (scene, learner), between in sorted(
+            found.items(), key=lambda item: (item[0][0], LEARNERS.index(item[0][1]))
+        ):
+            mean = cell(scene, learner)[word]
+            inside = "yes" if between.low <= mean <= between.high else "no"
+            yield (
+                f"| {scene} | {_phase(learner)} | {mean:g} | {between.low:g} to {between.high:g} | "
+                f"{between.width:g} | {between.median:g} | {inside} |"
+            )
+
+
+def _phase(learner: str) -> str:
+    return learner.rpartition("-")[2] if "-" in learner else "2500"
