@@ -98,6 +98,12 @@ def prototype2a() -> list[Row]:
     return [row for row in rows() if row.learning_phase is not None]
 
 
+def cell(environment: str, pipeline: str) -> dict[str, float]:
+    """Return the thesis's means of an environment and one of our pipelines, as ``attractors`` and ``collisions``."""
+    row = next(row for row in rows() if (row.environment, row.pipeline) == (environment, pipeline))
+    return {"attractors": row.attractors, "collisions": row.collisions}
+
+
 def percent_more(before: float, after: float) -> float:
     """Return by how many percent of `before` something has grown; NaN where there was nothing.
 
