@@ -35,6 +35,7 @@ FORBIDDEN = {
     "plugins": ("tutorstudent.study", "tutorstudent.cli"),
     "sims": ("tutorstudent.plugins", "tutorstudent.study", "tutorstudent.cli"),
     "study": ("tutorstudent.cli",),
+    "checks": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
 }
 HEAVY = ("pybullet", "sklearn", "joblib", "scipy", "matplotlib", "gymnasium")
 

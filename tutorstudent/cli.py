@@ -13,6 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from tutorstudent.checks.command import check
 from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
@@ -33,6 +34,7 @@ plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
 app.add_typer(plugins, name="plugins")
 app.command()(compare)
 app.command()(report)
+plugins.command("check")(check)
 
 PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[

@@ -136,4 +136,5 @@ def condition(name: str) -> Callable[[Callable[[Any], bool]], type[Condition[Any
 
 def _leaf(base: type[Any], name: str, function: Callable[..., Any], body: dict[str, Any]) -> type[Any]:
     described = {"name": name, "__doc__": function.__doc__, "__module__": function.__module__}
+    body |= {"__wrapped__": staticmethod(function)}  # its annotations say what it is made for
     return type(function.__name__, (base,), described | body)

@@ -52,6 +52,10 @@ class Ranges(Encoder[Any, Any]):
     def width(self) -> int:
         return int(self._thresholds.size)
 
+    def examples(self) -> list[list[float]]:
+        """Return states to try it with: the ends and the middle of every range."""
+        return [[low + share * (high - low) for low, high in self.options.ranges] for share in (0.0, 0.5, 1.0)]
+
     def encode(self, moment: Moment[Any, Any]) -> Vector:
         numbers = [getattr(moment.tutor_action, name) for name in self._components]
         if self.options.ranges:

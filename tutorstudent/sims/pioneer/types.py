@@ -61,3 +61,13 @@ class PioneerState:
     """What the camera sees, nearest first."""
     stalled: bool
     """The robot's own motion was refused, as the robot reports it (possibly late)."""
+
+    @classmethod
+    def examples(cls) -> list[PioneerState]:
+        """Return states to try parts with: free, near walls on each side, stalled, prey and predator near and far."""
+        ranges = (np.full(16, 5.0), np.zeros(16), np.linspace(0.05, 5.0, 16), np.linspace(5.0, 0.05, 16))
+        red, blue = Blob("red", 0.4, 0.7, 0.3), Blob("blue", -0.4, 0.3, 0.5)
+        views = ((), (red,), (blue, red), (Blob("red", -1.0, 4.0, 0.05), Blob("blue", 0.0, 6.0, 0.04)))
+        for sonar_m in ranges:
+            sonar_m.setflags(write=False)
+        return [cls(sonar_m, blobs, stalled) for stalled in (False, True) for sonar_m in ranges for blobs in views]

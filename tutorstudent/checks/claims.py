@@ -1,0 +1,65 @@
+"""What a component's class says about the states and actions that it is made for: its type arguments."""
+
+from __future__ import annotations
+
+import inspect
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
+
+from tutorstudent.core.actions import ActionT
+from tutorstudent.core.component import Component
+from tutorstudent.core.records import Moment, StateT
+from tutorstudent.core.registry import ROLES
+
+
+def state_claim(cls: type[Component]) -> Any:
+    """Return the class of states that a component is made for.
+
+    A TypeVar means that it is made for any, None that nobody says.
+
+    >>> from tutorstudent.core.interfaces import Tutor
+    >>> class Pid(Tutor[float, Any]): ...
+    >>> state_claim(Pid)
+    <class 'float'>
+    """
+    return _claims(cls).get(StateT)
+
+
+def action_claim(cls: type[Component]) -> Any:
+    """Return the class of actions that a component is made for, as `state_claim` does for states."""
+    return _claims(cls).get(ActionT)
+
+
+def _claims(cls: type[Component]) -> dict[Any, Any]:
+    function = vars(cls).get("__wrapped__")
+    if function is not None:
+        return _claims_of_function(function.__func__)
+    role: Any = ROLES[cls.role]
+    parameters = getattr(role, "__parameters__", ())
+    return dict(zip(parameters, _arguments(cls, role), strict=False))
+
+
+def _arguments(cls: type[Any], role: type[Any]) -> tuple[Any, ...]:
+    for base in cls.__dict__.get("__orig_bases__", cls.__bases__):
+        origin = get_origin(base) or base
+        if origin is role:
+            return get_args(base)
+        if isinstance(origin, type) and issubclass(origin, role):
+            given = dict(zip(getattr(origin, "__parameters__", ()), get_args(base), strict=False))
+            return tuple([_given(given, argument) for argument in _arguments(origin, role)])
+    return ()
+
+
+def _given(given: dict[Any, Any], argument: Any) -> Any:
+    return given.get(argument, argument) if isinstance(argument, TypeVar) else argument
+
+
+def _claims_of_function(function: Any) -> dict[Any, Any]:
+    # A leaf that a decorator made: what its function says of the first thing that it is given.
+    try:
+        hints = get_type_hints(function)
+    except (NameError, TypeError):
+        return {}
+    hint = hints.get(next(iter(inspect.signature(function).parameters), ""))
+    if get_origin(hint) is Moment:
+        return dict(zip((StateT, ActionT), get_args(hint), strict=True))
+    return {} if hint is None else {StateT: hint}

@@ -1,0 +1,62 @@
+"""`tutorstudent plugins check`: all conformance checks of an installed part."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated
+
+import typer
+
+from tutorstudent.checks.catalogue import checks_of
+from tutorstudent.checks.process import make
+from tutorstudent.checks.report import run_checks
+from tutorstudent.core.errors import PipelineError, UnknownPlugin, listing, suggestion
+from tutorstudent.core.registry import ROLES, Registry
+from tutorstudent.core.settings import read_settings, set_value
+
+
+def check(
+    name: Annotated[str, typer.Argument(help="name of an installed part, as in a pipeline")],
+    role: Annotated[str | None, typer.Option(help="its role, where parts of several roles have that name")] = None,
+    settings: Annotated[
+        list[str] | None, typer.Option("--set", metavar="OPTION=VALUE", help="an option of the part; repeatable")
+    ] = None,
+    world: Annotated[str | None, typer.Option(help="a world whose states it is tried with")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
+) -> None:
+    """Check that a part does what its role promises: says what was expected, what was seen and what to do."""
+    registry = Registry.discover()
+    found = find_role(registry, name, role)
+    values = {"use": name}
+    for key, value in read_settings("--set", settings or []).items():
+        set_value(values, key, value, f"plugins check {name}")
+    where = None if world is None else make(registry, "world", {"use": world}, "--world")
+    report = run_checks(checks_of(make(registry, found, values, f"plugins check {name}"), world=where))
+    typer.echo(json.dumps(report.as_json(), indent=2) if as_json else "\n".join(report.lines()))
+    if report.of("failed"):
+        raise typer.Exit(1)
+
+
+def find_role(registry: Registry, name: str, role: str | None) -> str:
+    """Return the role of the part of that name.
+
+    Raises:
+        UnknownPlugin: if there is none.
+        PipelineError: if there are several, or the role is none.
+    """
+    if role is not None and role not in ROLES:
+        raise PipelineError(f"--role {role}: no such role{suggestion(role, ROLES)}. Roles: {listing(ROLES)}.")
+    if role is not None:
+        return registry.get(role, name).role
+    roles = [installed.cls.role for installed in registry if installed.cls.name == name]
+    if len(roles) > 1:
+        raise PipelineError(f"'{name}' is the name of parts of the roles {listing(roles)}; say which, as in --role.")
+    if not roles:
+        known = [installed.cls.name for installed in registry]
+        broken = [f"'{item.entry_point}' ({item.distribution}): {item.reason}" for item in registry.broken]
+        hint = f" Could not be loaded: {'; '.join(broken)}" if broken else ""
+        raise UnknownPlugin(
+            f"no part named '{name}'{suggestion(name, known)}. Installed: {listing(known)}. "
+            f"A package has to be installed with pip to be found.{hint}"
+        )
+    return roles[0]

@@ -1,0 +1,112 @@
+"""Checks of a part's life: bound, reset, used, closed."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import statistics
+import time
+
+from tutorstudent.checks.likeness import snapshot
+from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
+from tutorstudent.checks.usage import Usage, answers, fresh
+
+
+def works(usage: Usage) -> None:
+    """It can be made, bound, used and closed without raising."""
+    subject, doing = usage.subject, "made"
+    questions = usage.usual()
+    try:
+        part = subject.make()
+        doing = "bound (setup)"
+        part = subject.bound()
+        doing = "reset"
+        usage.begin(part)
+        for number, question in enumerate(questions):
+            doing = f"asked for the {number + 1}th time"
+            usage.ask(part, question)
+        doing = "closed"
+        part.close()
+    except RAISED as error:
+        raise CheckFailed(
+            "it can be made, bound, reset, used and closed",
+            f"{said(error)}, when it was {doing}",
+            "see the traceback; a state that it is not made for can be replaced with examples() or states=[...]",
+        ) from error
+
+
+def resets_twice(usage: Usage) -> None:
+    """A trial may begin before anything was done, after use, and twice in a row."""
+    part = fresh(usage)
+    try:
+        usage.begin(part)
+        usage.begin(part)
+        answers(usage, part)
+        usage.begin(part)
+        usage.begin(part)
+        usage.ask(part, usage.usual()[0])
+    except CheckSkipped:
+        raise
+    except RAISED as error:
+        raise CheckFailed(
+            "it can be reset at any time, twice in a row too",
+            said(error),
+            "let reset() put the episode back to its beginning, whatever it was; open things in setup()",
+        ) from error
+
+
+def closes_twice(usage: Usage) -> None:
+    """It may be closed unused, and closed again."""
+    unused, used = fresh(usage), fresh(usage)
+    answers(usage, used)
+    try:
+        for part in (unused, used):
+            part.close()
+            part.close()
+    except RAISED as error:
+        raise CheckFailed(
+            "close() lets go of what is held, and does nothing where nothing is",
+            said(error),
+            "set what was closed to None, and close only what is not",
+        ) from error
+
+
+def keeps_what_it_learned_over_trials(usage: Usage) -> None:
+    """`reset` forgets the episode only: what `state_dict` hands out is the same before and after."""
+    part = fresh(usage)
+    answers(usage, part)
+    learned = part.state_dict()
+    if not learned:
+        raise CheckSkipped("it has learned nothing that it hands out in state_dict()")
+    before = snapshot(learned)
+    usage.begin(part)
+    expect(
+        before == snapshot(part.state_dict()),
+        "reset() keeps what was learned",
+        "state_dict() changed",
+        "forget only the episode; what was learned survives all trials",
+    )
+
+
+def prints_nothing(usage: Usage) -> None:
+    """A part in a loop is silent: what it has to say belongs to `situation`, events or an observer."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+        part = fresh(usage)
+        answers(usage, part)
+        part.close()
+    expect(not out.getvalue(), "nothing is printed", f"{out.getvalue()[:200]!r}", "remove the print, or use logging")
+
+
+def says_how_long_it_takes(usage: Usage) -> str:
+    """Reports the median time of one question; it never fails for being slow."""
+    part = fresh(usage)
+    answers(usage, part)
+    usage.begin(part)
+    times = []
+    for question in usage.usual():
+        start = time.perf_counter()
+        usage.ask(part, question)
+        times.append(time.perf_counter() - start)
+    part.close()
+    return f"median {statistics.median(times) * 1e6:.0f} us per decision"

@@ -1,0 +1,125 @@
+"""Checks of how a part treats what it is handed, and what it says."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from tutorstudent.checks.likeness import damaged, snapshot
+from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
+from tutorstudent.checks.usage import Question, Usage, fresh, unusable
+from tutorstudent.core.interfaces import Tutor
+
+BROKEN_READINGS = (math.nan, math.inf, -math.inf)
+
+
+def answers_are_sound(usage: Usage) -> None:
+    """What it says is what its role declares: types, kinds, bounds, widths, names, finite numbers."""
+    _ask_all(usage, _begun(usage), usage.usual(), judged=True)
+
+
+def changes_nothing_it_is_handed(usage: Usage) -> None:
+    """States, moments, actions, lessons and all else are as they were when it is done with them."""
+    part, questions = _begun(usage), usage.usual()
+    for number, question in enumerate(questions):
+        before = snapshot(question)
+        try:
+            usage.ask(part, question)
+        except RAISED as error:
+            _is_a_write(error)
+            raise unusable(error) from error
+        expect(
+            before == snapshot(question),
+            "what it is handed stays as it is",
+            f"it changed what it was handed in question {number + 1}",
+            "copy what is to be changed: numpy's -=, sort() and x[...] = write into the state that everybody sees",
+        )
+
+
+def survives_broken_readings(usage: Usage) -> None:
+    """With NaN or infinite readings a tutor still acts soundly; others may raise, and go on soundly afterwards."""
+    broken = _broken_questions(usage)
+    part = _begun(usage)
+    for question in broken:
+        try:
+            usage.judge(part, question, usage.ask(part, question))
+        except RAISED as error:
+            if isinstance(part, Tutor):
+                raise CheckFailed(
+                    "a tutor answers with a sound action where a reading is NaN or infinite",
+                    said(error),
+                    "take such a reading for the worst that it can mean; a tutor that fails is what nobody can replace",
+                ) from error
+    _goes_on(usage, part, "after readings that were NaN or infinite")
+
+
+def goes_on_after_an_exception(usage: Usage) -> None:
+    """It is asked again after it raised once: an exception must not leave it half done."""
+    part, questions = _begun(usage), usage.usual()
+    middle = len(questions) // 2
+    _ask_all(usage, part, questions[:middle], judged=False)
+    try:
+        usage.ask(part, usage.unreadable())
+    except RAISED as error:
+        _goes_on(usage, part, f"after it raised {type(error).__name__} once", questions[middle:])
+        return
+    raise CheckSkipped("it does not raise, whatever it is handed")
+
+
+def _begun(usage: Usage) -> Any:
+    part = fresh(usage)
+    try:
+        usage.begin(part)
+    except RAISED as error:
+        raise unusable(error) from error
+    return part
+
+
+def _ask_all(usage: Usage, part: Any, questions: list[Question], *, judged: bool) -> None:
+    for question in questions:
+        try:
+            answer = usage.ask(part, question)
+        except RAISED as error:
+            raise unusable(error) from error
+        if judged:
+            usage.judge(part, question, answer)
+
+
+def _goes_on(usage: Usage, part: Any, when: str, questions: list[Question] | None = None) -> None:
+    try:
+        for question in questions or usage.usual():
+            usage.judge(part, question, usage.ask(part, question))
+    except RAISED as error:
+        raise CheckFailed(
+            f"it works as before {when}",
+            said(error),
+            "change what it remembers only once nothing can fail any more; keep no NaN",
+        ) from error
+
+
+def _broken_questions(usage: Usage) -> list[Question]:
+    if not usage.reads_states:
+        raise CheckSkipped("it is handed no readings")
+    states, broken = usage.states, []
+    for reading in BROKEN_READINGS:
+        for state in states:
+            try:
+                copy = damaged(state, reading)
+            except Exception:  # noqa: S112 - a state class may refuse what no sensor can say
+                continue
+            if snapshot(copy) != snapshot(state):
+                broken.append(copy)
+    if not broken:
+        raise CheckSkipped("its states hold no floats that could be broken")
+    return usage.questions(broken)
+
+
+def _is_a_write(error: BaseException) -> None:
+    # numpy refuses to write into read-only arrays, pydantic and dataclasses into frozen objects.
+    refused = ("read-only", "is frozen", "frozen_instance", "cannot assign to field")
+    if any(word in str(error) for word in refused):
+        raise CheckFailed(
+            "what it is handed stays as it is",
+            f"it tried to change it: {said(error)}",
+            "copy what is to be changed",
+        ) from error

@@ -1,0 +1,70 @@
+"""How worlds and observers are used."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import cycle, islice
+from typing import Any
+
+from tutorstudent.checks.outcome import expect
+from tutorstudent.checks.roles.sound import sound_number
+from tutorstudent.checks.standins import engine_of, staged
+from tutorstudent.checks.subject import FEWEST, SEED
+from tutorstudent.checks.usage import Question, Usage
+from tutorstudent.core.errors import listing
+from tutorstudent.core.observers import Begin
+from tutorstudent.core.world import Step
+
+
+class WorldUsage(Usage):
+    """Reset with a seed, then given sound actions; reset again where a trial ends."""
+
+    def questions(self, states: Sequence[Any]) -> list[Question]:
+        return [(action,) for action in islice(cycle(self.subject.actions), FEWEST)]
+
+    def begin(self, part: Any) -> None:
+        part.reset(SEED)
+
+    def ask(self, part: Any, question: Question) -> Any:
+        step = part.step(*question)
+        if getattr(step, "done", False) or getattr(step, "truncated", False):
+            part.reset(SEED + 1)
+        return step
+
+    def judge(self, part: Any, question: Question, answer: Any) -> None:
+        expect(
+            type(answer) is Step and isinstance(answer.events, Mapping),
+            "step() returns a Step(state, events, done, truncated)",
+            f"{type(answer).__name__}",
+            "return tutorstudent.Step(state, {name: number, ...})",
+        )
+        declared = part.event_names
+        for name, value in answer.events.items():
+            expect(
+                name in declared,
+                f"events are those of event_names: {listing(declared)}",
+                f"the event {name!r}",
+                "declare it in event_names, with how a run summarizes it",
+            )
+            sound_number(value, f"the event '{name}'")
+
+
+class ObserverUsage(Usage):
+    """Shown a short run of stand-ins; asked for its summary at the end of each decision."""
+
+    def questions(self, states: Sequence[Any]) -> list[Question]:
+        return list(staged(self.subject.actions))
+
+    def begin(self, part: Any) -> None:
+        engine, world = engine_of(self.subject.actions)
+        part.begin(Begin(engine, world, len(self.usual())))
+
+    def ask(self, part: Any, question: Question) -> Any:
+        part.observe(*question)
+        return part.summary()
+
+    def judge(self, part: Any, question: Question, answer: Any) -> None:
+        expect(isinstance(answer, Mapping), "summary() returns a mapping", f"{answer!r}", "return {name: number}")
+        for name, value in answer.items():
+            expect(isinstance(name, str), "the names of summary() are words", f"{name!r}", "use strings")
+            sound_number(value, f"'{name}' of summary()")
