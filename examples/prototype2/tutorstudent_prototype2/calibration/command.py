@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from tutorstudent_prototype2.calibration.agreement import TARGETS
+from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
 from tutorstudent_prototype2.calibration.freezing import freeze, most_promising, run_again, save_candidates
 from tutorstudent_prototype2.calibration.predictive import LEARNERS, predict, save_predictions
 from tutorstudent_prototype2.calibration.summary import described
@@ -71,7 +71,7 @@ def predict_command(
     looks = [look for look, _ in stays(load_looks(LOOKS))]
     names = learners.split(",")
     with _progress() as progress:
-        task = progress.add_task("runs", total=len(looks) * len(names) * len(TARGETS))
+        task = progress.add_task("runs", total=len(looks) * len(names) * len(ENVIRONMENTS))
         predictions = []
         for prediction in predict(out, looks, names, workers):
             predictions.append(prediction)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from joblib import Parallel, delayed
 from ruamel.yaml import YAML
 
-from tutorstudent_prototype2.calibration.agreement import TARGETS, admissible, misfit
+from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, misfit
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
 from tutorstudent_prototype2.calibration.walks import FIRST_SEED, Look, from_text, to_text
 
@@ -45,11 +45,11 @@ def most_promising(looks: Sequence[Look], count: int = CANDIDATES) -> list[Look]
 
 def run_again(looks: Sequence[Look], workers: int) -> list[Candidate]:
     """Run prototype 2 anew under each setting and return the candidates, the best first."""
-    jobs = [(i, scene, AGAIN + run) for i in range(len(looks)) for scene in TARGETS for run in range(RUNS)]
+    jobs = [(i, scene, AGAIN + run) for i in range(len(looks)) for scene in ENVIRONMENTS for run in range(RUNS)]
     counts = Parallel(n_jobs=workers, batch_size=1)(
         delayed(run_under)(looks[i].setting(), scene, seed) for i, scene, seed in jobs
     )
-    found: list[dict[str, list[Counts]]] = [{scene: [] for scene in TARGETS} for _ in looks]
+    found: list[dict[str, list[Counts]]] = [{scene: [] for scene in ENVIRONMENTS} for _ in looks]
     for (i, scene, _), counted in zip(jobs, counts, strict=True):
         found[i][scene].append(counted)
     candidates = [Candidate(look, runs) for look, runs in zip(looks, found, strict=True)]

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from joblib import Parallel, delayed
 
-from tutorstudent_prototype2.calibration.agreement import TARGETS
+from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
 from tutorstudent_prototype2.calibration.walks import Look
 
@@ -54,7 +54,7 @@ def predict(folder: Path, looks: Sequence[Look], learners: Sequence[str], worker
     What the folder holds already is not run again.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    jobs = [(look, scene, learner) for learner in learners for look in looks for scene in TARGETS]
+    jobs = [(look, scene, learner) for learner in learners for look in looks for scene in ENVIRONMENTS]
     parallel = Parallel(n_jobs=workers, return_as="generator_unordered", batch_size=1)
     yield from parallel(delayed(_predict)(folder, *job) for job in jobs)
 

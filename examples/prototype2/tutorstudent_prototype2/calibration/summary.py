@@ -8,14 +8,15 @@ from pathlib import Path
 
 import numpy as np
 
-from tutorstudent_prototype2.calibration.agreement import TARGETS
+from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
 from tutorstudent_prototype2.calibration.choices import CHOICES
 from tutorstudent_prototype2.calibration.freezing import Candidate, load_candidates
-from tutorstudent_prototype2.calibration.predictive import COVERAGE, LEARNERS, cells, interval, load_predictions
+from tutorstudent_prototype2.calibration.predictive import COVERAGE, cells, interval, load_predictions
 from tutorstudent_prototype2.calibration.walks import Look, load_looks, stays
-from tutorstudent_prototype2.thesis import cell
+from tutorstudent_prototype2.thesis import rows
 
 MEASURES = {"attractors": "attractors", "collided": "collisions"}
+"""Names of `Counts` and of the thesis's rows."""
 
 
 def described(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]:
@@ -38,15 +39,16 @@ def _walks(looks: Sequence[Look]) -> Iterator[str]:
     yield "|---|---|---|"
     for name, choice in CHOICES.items():
         found = interval([look.choices[name] for look, _ in stood], [rounds for _, rounds in stood])
-        yield f"| {name} | {choice.low:g} to {choice.high:g} | {found.low:.3g} to {found.high:.3g} ({found.median:.3g}) |"
+        agreeing = f"{found.low:.3g} to {found.high:.3g} ({found.median:.3g})"
+        yield f"| {name} | {choice.low:g} to {choice.high:g} | {agreeing} |"
     yield ""
 
 
 def _candidates(candidates: Sequence[Candidate]) -> Iterator[str]:
-    yield "| candidate | misfit | " + " | ".join(f"{scene}: attractors, collisions" for scene in TARGETS) + " |"
-    yield "|---|---:|" + "---:|" * len(TARGETS)
+    yield "| candidate | misfit | " + " | ".join(f"{scene}: attractors, collisions" for scene in ENVIRONMENTS) + " |"
+    yield "|---|---:|" + "---:|" * len(ENVIRONMENTS)
     for candidate in candidates:
-        means = [_means(candidate, scene) for scene in TARGETS]
+        means = [_means(candidate, scene) for scene in ENVIRONMENTS]
         name = f"walk {candidate.look.walk}, round {candidate.look.round}"
         yield f"| {name} | {candidate.misfit:.2f} | " + " | ".join(f"{a:.1f}, {c:.1f}" for a, c in means) + " |"
     yield ""
@@ -66,16 +68,11 @@ def _predictive(looks: Sequence[Look], path: Path) -> Iterator[str]:
         yield ""
         yield f"| {word} | learning phase | thesis | {100 * COVERAGE:.0f} % of predictions | width | median | inside |"
         yield "|---|---:|---:|---:|---:|---:|---|"
-        for (scene, learner), between in sorted(
-            found.items(), key=lambda item: (item[0][0], LEARNERS.index(item[0][1]))
-        ):
-            mean = cell(scene, learner)[word]
-            inside = "yes" if between.low <= mean <= between.high else "no"
-            yield (
-                f"| {scene} | {_phase(learner)} | {mean:g} | {between.low:g} to {between.high:g} | "
-                f"{between.width:g} | {between.median:g} | {inside} |"
-            )
-
-
-def _phase(learner: str) -> str:
-    return learner.rpartition("-")[2] if "-" in learner else "2500"
+        for row in rows():
+            if (row.environment, row.pipeline) in found:
+                between, mean = found[row.environment, row.pipeline], float(getattr(row, word))
+                inside = "yes" if between.low <= mean <= between.high else "no"
+                yield (
+                    f"| {row.environment} | {row.learning_phase} | {mean:g} | {between.low:g} to {between.high:g} | "
+                    f"{between.width:g} | {between.median:g} | {inside} |"
+                )

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from joblib import Parallel, delayed
 
-from tutorstudent_prototype2.calibration.agreement import TARGETS, agrees, limits
+from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, agrees, limits
 from tutorstudent_prototype2.calibration.choices import START, moved, setting_of
 from tutorstudent_prototype2.calibration.places import Floor, Point
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
@@ -47,7 +47,9 @@ class Look(NamedTuple):
     @property
     def agrees(self) -> bool:
         """Whether prototype 2 agrees with the thesis in every environment."""
-        return len(self.counts) == len(TARGETS) and all(agrees(scene, self.counts[scene]) for scene in TARGETS)
+        return len(self.counts) == len(ENVIRONMENTS) and all(
+            agrees(scene, self.counts[scene]) for scene in ENVIRONMENTS
+        )
 
     @property
     def seed(self) -> int:
@@ -73,7 +75,7 @@ def neighbour(here: Look, number: int) -> Look:
 def tried(look: Look) -> Look:
     """Run prototype 2 under a setting, environment by environment, until one speaks against it."""
     counts: dict[str, Counts] = {}
-    for scene in TARGETS:
+    for scene in ENVIRONMENTS:
         counts[scene] = run_under(look.setting(), scene, look.seed, limits=limits(scene))
         if not agrees(scene, counts[scene]):
             break
