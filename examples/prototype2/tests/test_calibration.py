@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+
 from tutorstudent_prototype2.calibration import walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
 from tutorstudent_prototype2.calibration.choices import CHOICES, START, moved, setting_of
