@@ -29,7 +29,7 @@ def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_pa
         files["full"], files["alone"], "--runs", 2, "--decisions", 30, "--out", out, "--set", "world.trial=10"
     )
     assert 0 == result.exit_code, result.output
-    names = {"plan.json", "sketches", "runs", "results.csv", "table.md", "report.html"}
+    names = {"plan.json", "sketches", "search", "runs", "sittings.json", "results.csv", "table.md", "report.html"}
     assert names == {path.name for path in out.iterdir()}
     assert "2 runs each, mean ± standard deviation" in result.output
     assert "The page: " in result.output
@@ -108,8 +108,8 @@ def test_what_could_not_be_saved_is_told_and_is_no_failure(
     assert "RuntimeError: it slipped my mind." in told
 
 
-def test_no_pipeline_is_a_usage_error() -> None:
-    assert 2 == call().exit_code
+def test_no_pipeline_is_an_error_of_ours() -> None:
+    assert "there is no pipeline; give at least one YAML file" in str(call().exception)
 
 
 @pytest.mark.parametrize("option", ["--runs", "--workers", "--decisions"])

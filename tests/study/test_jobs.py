@@ -13,8 +13,8 @@ from tutorstudent.core.recording import load_arrays
 from tutorstudent.core.registry import Registry
 from tutorstudent.study.jobs import Finished, run_job, run_jobs
 from tutorstudent.study.plan import Plan
-from tutorstudent.study.planning import Request, make_plan
-from tutorstudent.study.requests import read_pipelines
+from tutorstudent.study.planning import make_plan
+from tutorstudent.study.requests import Request, read_pipelines
 from tutorstudent.study.results import read_study, write_csv
 
 PIONEER = """\
@@ -28,7 +28,7 @@ observers: [attractors]
 
 
 def plan_of(path: Path, registry: Registry, runs: int = 2) -> Plan:
-    return make_plan(Request(read_pipelines([path], registry), runs), registry)
+    return make_plan(Request(read_pipelines([path], registry), runs, search_runs=0), registry)
 
 
 def outputs(plan: Plan, folder: Path, workers: int) -> dict[Path, bytes]:

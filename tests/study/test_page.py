@@ -23,7 +23,7 @@ from tutorstudent.study.requests import read_pipelines, read_variation
 from tutorstudent.study.results import Study
 from tutorstudent.study.sketches import load_sketch, save_sketch
 from tutorstudent.study.strips import strip
-from tutorstudent.study.studies import write_plan
+from tutorstudent.study.studies import begin
 from tutorstudent.study.tables import CONTROLS
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
@@ -66,9 +66,9 @@ def made(corridor_distribution: Path, tmp_path_factory: pytest.TempPathFactory) 
         (folder / "alone.yaml").write_text(ALONE.replace("corridor", "{use: corridor, fails_with_seed: 2}"))
         given = read_pipelines([folder / "full.yaml", folder / "alone.yaml"], registry)
         variations = read_variation("--vary", "world.scene=short,long")
-        plan = make_plan(Request(given, 3, decisions=30, variations=variations), registry)
+        plan = make_plan(Request(given, 3, decisions=30, variations=variations, search_runs=0), registry)
         out = folder / "out"
-        write_plan(plan, out, registry)
+        begin(plan, out)
         list(run_jobs(plan.jobs(), out, 1))
     study = write_report(out)
     return study, (out / "report.html").read_text(encoding="utf-8")

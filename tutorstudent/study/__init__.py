@@ -2,13 +2,15 @@
 
 | step | module |
 |---|---|
-| what runs in which environments, with which controls | `requests`, `resolving`, `controls`, `plan`, `planning` |
-| every run, in parallel, each into a folder of its own | `jobs`, `progress` |
+| what runs in which environments, with which controls | `requests`, `resolving`, `controls`, `planning` |
+| the plan, and its file | `plan`, `planfile`, `differences` |
+| the constant level that is best | `seeking`, `levels`, `searching` |
+| every run, in parallel, each into a folder of its own | `jobs`, `backends`, `durable`, `timing`, `progress` |
 | what is on disk | `results`, `sketches` |
 | numbers, and how they are written | `statistics`, `columns`, `tables` |
 | pictures | `curves`, `palette`, `svg`, `panels`, `strips`, `maps`, `pictures` |
 | the page | `media`, `page`, `report` |
-| all of it | `studies`, `command` |
+| all of it | `studies`, `options`, `command` |
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.
 
@@ -19,10 +21,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tutorstudent.study.backends import Backend
 from tutorstudent.study.jobs import Finished, run_jobs
-from tutorstudent.study.plan import Environment, Job, Plan, Variant, load_plan, save_plan
-from tutorstudent.study.planning import Request, make_plan
-from tutorstudent.study.requests import Setting, read_pipelines, read_setting, read_variation
+from tutorstudent.study.plan import Environment, Job, Plan, Search, Variant
+from tutorstudent.study.planfile import load_plan, save_plan
+from tutorstudent.study.planning import make_plan
+from tutorstudent.study.requests import Request, Setting, read_pipelines, read_setting, read_variation
 from tutorstudent.study.results import Failure, Run, Study, read_runs, read_study
 from tutorstudent.study.studies import run_study
 
@@ -30,6 +34,7 @@ if TYPE_CHECKING:
     from tutorstudent.study.report import write_report
 
 __all__ = [
+    "Backend",
     "Environment",
     "Failure",
     "Finished",
@@ -37,6 +42,7 @@ __all__ = [
     "Plan",
     "Request",
     "Run",
+    "Search",
     "Setting",
     "Study",
     "Variant",

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import typer
 from rich.console import Console
 
+from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
+from tutorstudent.study import options
+from tutorstudent.study.backends import Backend, check_backend
 from tutorstudent.study.extras import check_extras
 from tutorstudent.study.media import terminal
-from tutorstudent.study.planning import Request, make_plan
-from tutorstudent.study.requests import read_pipelines, read_setting, read_variation
+from tutorstudent.study.plan import Plan
+from tutorstudent.study.planfile import load_plan
+from tutorstudent.study.planning import make_plan
+from tutorstudent.study.requests import Request, read_pipelines, read_setting, read_variation
 from tutorstudent.study.results import Study
 from tutorstudent.study.studies import check_folder, run_study
 from tutorstudent.study.tables import digest_table
@@ -23,38 +29,74 @@ LEGEND = (
 )
 
 
+INTERRUPTED = 130
+"""Exit code after Ctrl-C, as shells have it."""
+
+
 def compare(
-    pipelines: Annotated[list[Path], typer.Argument(help="Pipeline files to compare, YAML.", show_default=False)],
-    runs: Annotated[int, typer.Option(min=1, help="Runs of each pipeline and control in each environment.")] = 10,
-    decisions: Annotated[
-        int | None, typer.Option(min=1, max=1_000_000_000, help="Decisions of a run; else what the files say.")
-    ] = None,
-    workers: Annotated[int, typer.Option(min=1, help="Processes; the results are the same for any number.")] = 1,
-    out: Annotated[Path, typer.Option(help="Folder for all results; it must be new or empty.")] = Path("studies/new"),
-    vary: Annotated[
-        str | None, typer.Option(help="One environment for each value: world.scene=chase-avoid,cave-box.")
-    ] = None,
-    settings: Annotated[
-        list[str] | None, typer.Option("--set", help="Set key=value in every pipeline; may be repeated.")
-    ] = None,
-    controls: Annotated[bool, typer.Option("--controls/--no-controls", help="Run the controls beside them.")] = True,
-    seed: Annotated[
-        int, typer.Option(min=0, help="Seed of run 0; run i has this + i, for all alike, whatever the files say.")
-    ] = 0,
+    context: typer.Context,
+    pipelines: options.Pipelines = None,
+    runs: options.Runs = 10,
+    decisions: options.Decisions = None,
+    workers: options.Workers = 1,
+    out: options.Out = Path("studies/new"),
+    resume: options.Resume = False,
+    vary: options.Vary = None,
+    settings: options.Settings = None,
+    controls: options.Controls = True,
+    goal: options.Goal = "",
+    harm_budget: options.HarmBudget = 0.001,
+    search_runs: options.SearchRuns = 2,
+    seed: options.Seed = 0,
+    backend: options.BackendName = "loky",
+    address: options.Address = "",
 ) -> None:
     """Compare pipelines on paired seeds, with their controls, and write a page with every run."""
     check_extras()
-    check_folder(out)
-    registry = Registry.discover()
-    given = read_pipelines(pipelines, registry)
-    for text in settings or []:
-        given = {name: read_setting("--set", text).apply(pipeline) for name, pipeline in given.items()}
-    variations = read_variation("--vary", vary) if vary is not None else []
-    plan = make_plan(Request(given, runs, seed, decisions, variations, controls), registry)
-    study = run_study(plan, out, workers)
+    workforce = Backend(backend, address)
+    check_backend(workforce)
+    if resume and not pipelines:
+        plan = _planned(out, context)
+    else:
+        if not resume:
+            check_folder(out)
+        asked = Wish(pipelines or [], settings or [], vary)
+        plan = _plan(asked, Request({}, runs, seed, decisions, (), controls, goal, harm_budget, search_runs))
+    try:
+        study = run_study(plan, out, workers, workforce)
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; go on with: tutorstudent compare --resume --out {shlex.quote(str(out))}", err=True)
+        raise typer.Exit(INTERRUPTED) from None
     show(study)
     if study.failures:
         raise typer.Exit(1)
+
+
+class Wish(NamedTuple):
+    """What is to be compared, as it was written."""
+
+    pipelines: list[Path]
+    settings: list[str]
+    vary: str | None
+
+
+def _plan(wish: Wish, request: Request) -> Plan:
+    registry = Registry.discover()
+    given = read_pipelines(wish.pipelines, registry)
+    for text in wish.settings:
+        given = {name: read_setting("--set", text).apply(pipeline) for name, pipeline in given.items()}
+    variations = read_variation("--vary", wish.vary) if wish.vary is not None else []
+    return make_plan(request._replace(pipelines=given, variations=variations), registry)
+
+
+def _planned(out: Path, context: typer.Context) -> Plan:
+    """Return the plan of a study that is gone on with; nothing may be said that it says already."""
+    if said := options.said_again(context):
+        raise PipelineError(
+            f"--resume with {', '.join(said)}: the plan in {out} says that already; leave "
+            f"{'it' if len(said) == 1 else 'them'} out, or give the pipelines too, to have the two compared."
+        )
+    return load_plan(out)
 
 
 def report(

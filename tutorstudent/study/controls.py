@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from tutorstudent.study.levels import ALONE, LEVELS, candidate
 from tutorstudent.study.resolving import Resolved
 
-LEVEL = 4
-"""Of the constant control: half of the thesis's highest level. Choice: see docs/fidelity.md."""
+UNSEARCHED = 4
+"""The constant level where none is searched for: half of the thesis's highest. Choice: see docs/fidelity.md."""
 
 
 class Control(NamedTuple):
@@ -20,26 +21,44 @@ class Control(NamedTuple):
 
 
 def controls_of(resolved: Resolved) -> Iterator[Control]:
-    """Yield the controls of a pipeline.
+    """Yield the controls of a pipeline, but for the constant level.
 
     A control replaces student, selector and amplifier together, and keeps how far a level moves a component; ``blind``
     replaces the evaluator only.
     """
-    student, evaluator = resolved.values["student"], resolved.values["evaluator"]
-    encoder = student.get("encoder")
-    ramp = {"use": "ramp"} | ({"encoder": encoder} if isinstance(encoder, dict) else {})
-    yield _replacing(resolved, "tutor-alone", "The tutor, never amplified.", {"use": "silent"})
+    evaluator = resolved.values["evaluator"]
+    ramp = {"use": "ramp"} | ({"encoder": resolved.encoder} if resolved.encoder else {})
+    yield _alone(resolved)
     yield Control(
         "blind",
         "The same learner, never told of a violation.",
         resolved.values | {"evaluator": {"use": "blind", "evaluator": evaluator}},
     )
     yield _replacing(resolved, "ramp", "No learning: one level more while the tutor's kind and the inputs stay.", ramp)
-    constant = {"use": "constant", "level": LEVEL}
-    yield _replacing(resolved, f"constant-{LEVEL}", f"No learning: level {LEVEL} in every decision.", constant)
     yield _replacing(
         resolved, "random", "No learning: a level drawn anew in every decision, 0 to 8.", {"use": "random"}
     )
+
+
+def unsearched(resolved: Resolved) -> Control:
+    """Return the control of a constant level where none is searched for."""
+    about = f"No learning: level {UNSEARCHED} in every decision; no other level was tried."
+    return _constant(resolved, f"constant-{UNSEARCHED}", about, UNSEARCHED)
+
+
+def candidates_of(resolved: Resolved) -> Iterator[Control]:
+    """Yield what a search for the best constant level tries: the tutor alone, then every level."""
+    yield _alone(resolved)
+    for level in LEVELS:
+        yield _constant(resolved, candidate(level), f"No learning: level {level} in every decision.", level)
+
+
+def _alone(resolved: Resolved) -> Control:
+    return _replacing(resolved, ALONE, "The tutor, never amplified.", {"use": "silent"})
+
+
+def _constant(resolved: Resolved, name: str, about: str, level: int) -> Control:
+    return _replacing(resolved, name, about, {"use": "constant", "level": level})
 
 
 def _replacing(resolved: Resolved, name: str, about: str, student: dict[str, Any]) -> Control:

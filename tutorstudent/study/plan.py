@@ -1,14 +1,9 @@
-"""A plan: which pipelines run in which environments, with which seeds. Plain values, so that it can be read again."""
+"""A plan: which pipelines run in which environments, with which seeds. Plain values; `planfile` writes and reads it."""
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any, NamedTuple
-
-from tutorstudent.core.errors import PipelineError
-
-FILE = "plan.json"
 
 
 class Variant(NamedTuple):
@@ -59,9 +54,11 @@ class Plan(NamedTuple):
     seeds: tuple[int, ...]
     """Run i has the same seed for every variant and control."""
     decisions: int
+    search: Search | None = None
+    """What is run first, where a control's level has to be looked for."""
 
     def jobs(self) -> list[Job]:
-        """Return all runs, seed by seed, so that what an interrupted study leaves behind is paired."""
+        """Return all runs but those of the search, seed by seed, so that what an interrupted study leaves is paired."""
         return [
             Job(environment.name, variant.name, seed, self.decisions, variant.pipeline)
             for seed in self.seeds
@@ -70,41 +67,31 @@ class Plan(NamedTuple):
         ]
 
     def variants(self) -> list[Variant]:
-        """Return one variant of each name over all environments: those that were given, then controls."""
-        found = {variant.name: variant for environment in self.environments for variant in environment.variants}
-        return sorted(found.values(), key=lambda variant: variant.control)
+        """Return one variant of each name over all environments: those that were given, then controls.
+
+        Where its sentence differs between environments, such as by a level, it says what holds in which.
+        """
+        found: dict[str, dict[str, Variant]] = {}
+        for environment in self.environments:
+            for variant in environment.variants:
+                found.setdefault(variant.name, {})[environment.name] = variant
+        return sorted(map(_merged, found.values()), key=lambda variant: variant.control)
 
 
-def save_plan(plan: Plan, folder: Path) -> None:
-    """Write the plan into the folder of its study."""
-    data = {
-        "decisions": plan.decisions,
-        "seeds": list(plan.seeds),
-        "environments": [
-            environment._asdict() | {"variants": [variant._asdict() for variant in environment.variants]}
-            for environment in plan.environments
-        ],
-    }
-    (folder / FILE).write_text(json.dumps(data, indent=1, default=str) + "\n", encoding="utf-8")
+class Search(NamedTuple):
+    """The search for the level of the control ``best-constant``: the tutor alone and constant levels."""
+
+    goal: str
+    """Of a run's summary; the level with the highest mean is the best; empty: what is counted first."""
+    harm_budget: float
+    """Share of decisions that may be violated, 0 to 1."""
+    plan: Plan
+    """On seeds of its own."""
 
 
-def load_plan(folder: Path) -> Plan:
-    """Read the plan of a study.
-
-    Raises:
-        PipelineError: if the folder holds none.
-    """
-    try:
-        data = json.loads((folder / FILE).read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise PipelineError(f"{folder}: there is no {FILE}; give the folder that 'compare --out' wrote.") from None
-    except (OSError, ValueError) as error:
-        raise PipelineError(f"{folder / FILE}: cannot be read: {error}.") from None
-    return Plan(
-        tuple(
-            Environment(item["name"], tuple(Variant(**variant) for variant in item["variants"]), item["reference"])
-            for item in data["environments"]
-        ),
-        tuple(data["seeds"]),
-        data["decisions"],
-    )
+def _merged(variants: dict[str, Variant]) -> Variant:
+    """Return one for all environments, by whose name they are given."""
+    *_, last = variants.values()
+    if len({variant.about for variant in variants.values()}) == 1:
+        return last
+    return last._replace(about=" ".join(f"In {name}: {variant.about}" for name, variant in variants.items()))

@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from tutorstudent.core.errors import PipelineError, listing
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
-from tutorstudent.study.controls import controls_of
-from tutorstudent.study.plan import Environment, Plan, Variant
-from tutorstudent.study.requests import Setting, slug
-from tutorstudent.study.resolving import Resolved, completed, is_tutor_alone, resolve, same
-
-
-class Request(NamedTuple):
-    """What is to be compared."""
-
-    pipelines: Mapping[str, Pipeline]
-    """By name."""
-    runs: int
-    first_seed: int = 0
-    """Run i has the seed ``first_seed + i``."""
-    decisions: int | None = None
-    """None: as many as all files say."""
-    variations: Sequence[Setting] = ()
-    """One environment for each; none: the world of the files."""
-    controls: bool = True
+from tutorstudent.study.controls import controls_of, unsearched
+from tutorstudent.study.levels import BEST
+from tutorstudent.study.plan import Environment, Plan, Search, Variant
+from tutorstudent.study.requests import Request, Setting, slug
+from tutorstudent.study.resolving import Resolved, completed, is_tutor_alone, learner_of, resolve, same
+from tutorstudent.study.seeking import plan_search
 
 
 def make_plan(request: Request, registry: Registry) -> Plan:
@@ -39,8 +25,10 @@ def make_plan(request: Request, registry: Registry) -> Plan:
     decisions = request.decisions or _decisions(request.pipelines)
     seeds = tuple(range(request.first_seed, request.first_seed + request.runs))
     variations: Sequence[Setting | None] = request.variations or (None,)
-    environments = [_environment(request, variation, registry) for variation in variations]
-    return Plan(tuple(environments), seeds, decisions)
+    places = dict(_place(request, variation) for variation in variations)
+    search = plan_search(request, places, registry, decisions)
+    environments = [_environment(request, name, resolved, registry, search) for name, resolved in places.items()]
+    return Plan(tuple(environments), seeds, decisions, search)
 
 
 def _decisions(pipelines: Mapping[str, Pipeline]) -> int:
@@ -53,17 +41,12 @@ def _decisions(pipelines: Mapping[str, Pipeline]) -> int:
     return found.pop()
 
 
-def _environment(request: Request, variation: Setting | None, registry: Registry) -> Environment:
+def _place(request: Request, variation: Setting | None) -> tuple[str, dict[str, Resolved]]:
+    """Return the name of an environment with the pipelines in it."""
     varied = {name: variation.apply(given) if variation else given for name, given in request.pipelines.items()}
     resolved = {name: resolve(pipeline) for name, pipeline in varied.items()}
     _check_one_world(resolved)
-    given = [
-        Variant(name, f"The pipeline {_file(request.pipelines[name])}.", False, found.values, found.counters)
-        for name, found in resolved.items()
-    ]
-    variants = [*given, *_controls(resolved, registry)] if request.controls else given
-    name = variation.label if variation else _world_name(given[0])
-    return Environment(name, tuple(variants), _reference(variants))
+    return variation.label if variation else _world_name(next(iter(resolved.values()))), resolved
 
 
 def _check_one_world(resolved: Mapping[str, Resolved]) -> None:
@@ -76,23 +59,36 @@ def _check_one_world(resolved: Mapping[str, Resolved]) -> None:
             )
 
 
-def _controls(resolved: Mapping[str, Resolved], registry: Registry) -> list[Variant]:
-    learner = next((name for name, found in resolved.items() if not is_tutor_alone(found.values)), None)
-    if learner is None:
-        return []
-    variants = []
-    for control in controls_of(resolved[learner]):
-        where = f"control '{control.name}' of '{learner}'"
-        values = completed(where, control.values, registry)
+def _environment(
+    request: Request, name: str, resolved: Mapping[str, Resolved], registry: Registry, search: Search | None
+) -> Environment:
+    given = [
+        Variant(name, f"The pipeline {_file(request.pipelines[name])}.", False, found.values, found.counters)
+        for name, found in resolved.items()
+    ]
+    learner = learner_of(resolved) if request.controls else None
+    variants = [*given, *(_controls(learner, resolved, registry, search) if learner else [])]
+    return Environment(name, tuple(variants), _reference(variants))
+
+
+def _controls(
+    learner: str, resolved: Mapping[str, Resolved], registry: Registry, search: Search | None
+) -> Iterator[Variant]:
+    if search:
+        _check_name(BEST, resolved)
+    constant = [] if search else [unsearched(resolved[learner])]
+    for control in [*controls_of(resolved[learner]), *constant]:
+        values = completed(f"control '{control.name}' of '{learner}'", control.values, registry)
         if any(same(values, found.values) for found in resolved.values()):
             continue
-        if control.name in resolved:
-            raise PipelineError(
-                f"compare: '{control.name}' is the name of a control; rename the file, or --no-controls."
-            )
+        _check_name(control.name, resolved)
         about = f"{control.about} A control of {learner}."
-        variants.append(Variant(control.name, about, True, values, resolved[learner].counters))
-    return variants
+        yield Variant(control.name, about, True, values, resolved[learner].counters)
+
+
+def _check_name(control: str, resolved: Mapping[str, Resolved]) -> None:
+    if control in resolved:
+        raise PipelineError(f"compare: '{control}' is the name of a control; rename the file, or --no-controls.")
 
 
 def _reference(variants: Sequence[Variant]) -> str:
@@ -106,7 +102,7 @@ def _file(pipeline: Pipeline) -> str:
     return Path(pipeline.document.name).name
 
 
-def _world_name(variant: Variant) -> str:
-    world = variant.pipeline["world"]
+def _world_name(resolved: Resolved) -> str:
+    world = resolved.values["world"]
     scene = world.get("scene")
     return slug(Path(scene).stem) if isinstance(scene, str) else slug(world["use"])

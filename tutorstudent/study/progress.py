@@ -10,13 +10,14 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from tutorstudent.study.jobs import Finished
 
 
-def shown(results: Iterable[Finished], title: str, total: int) -> Iterator[Finished]:
+def shown(results: Iterable[Finished], title: str, total: int, done: int = 0) -> Iterator[Finished]:
     """Yield the results, and show them on standard error: a bar, and a line for each that failed or has a note.
 
     Args:
         results: The jobs, each as it ends.
         title: What stands before the bar.
-        total: Number of jobs.
+        total: Number of jobs, with those of earlier sittings.
+        done: Number of those.
     """
     columns = (
         TextColumn("{task.description}"),
@@ -27,7 +28,7 @@ def shown(results: Iterable[Finished], title: str, total: int) -> Iterator[Finis
     )
     failed = 0
     with Progress(*columns, console=Console(stderr=True)) as progress:
-        task = progress.add_task(title, total=total, failed=failed)
+        task = progress.add_task(title, total=total, completed=done, failed=failed)
         for finished in results:
             failed += bool(finished.problem)
             progress.update(task, advance=1, failed=failed)

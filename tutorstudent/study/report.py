@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tutorstudent.study.media import markdown
 from tutorstudent.study.page import page
-from tutorstudent.study.plan import load_plan
+from tutorstudent.study.planfile import load_plan
 from tutorstudent.study.results import Study, read_study, write_csv
 from tutorstudent.study.tables import CONTROLS, INTERVALS, tables
 

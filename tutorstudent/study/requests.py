@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -30,6 +30,28 @@ class Setting(NamedTuple):
     def apply(self, pipeline: Pipeline) -> Pipeline:
         """Return the pipeline with this value; PipelineError if it has no place for the key."""
         return pipeline.replaced({self.key: self.value})
+
+
+class Request(NamedTuple):
+    """What is to be compared."""
+
+    pipelines: Mapping[str, Pipeline]
+    """By name."""
+    runs: int
+    first_seed: int = 0
+    """Run i has the seed ``first_seed + i``."""
+    decisions: int | None = None
+    """None: as many as all files say."""
+    variations: Sequence[Setting] = ()
+    """One environment for each; none: the world of the files."""
+    controls: bool = True
+    goal: str = ""
+    """Of a run's summary, such as ``attractors``: what the best constant level has most of; empty: what the learner's
+    observers count first."""
+    harm_budget: float = 0.001
+    """Share of decisions that the best constant level may violate, 0 to 1."""
+    search_runs: int = 2
+    """Of each constant level in each environment, on seeds of their own; 0: no search."""
 
 
 def slug(text: str) -> str:

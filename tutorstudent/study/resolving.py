@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from contextlib import closing
 from typing import Any, NamedTuple
 
+from tutorstudent.core.leaves import Encoder
 from tutorstudent.core.observers import Entries
 from tutorstudent.core.pipeline import SLOTS, Pipeline, describe, plain
 from tutorstudent.core.registry import Registry
@@ -26,6 +27,8 @@ class Resolved(NamedTuple):
     """Amplification per level."""
     change: dict[str, Any]
     """How an amplification becomes a distance."""
+    encoder: dict[str, Any] | None
+    """What the student looks at, where it has an encoder."""
     counters: dict[str, str]
     """What its observers count, such as ``attractors``, and the situation whose entries that is."""
 
@@ -37,10 +40,12 @@ def resolve(pipeline: Pipeline) -> Resolved:
         TutorStudentError: if it cannot be built; the message says where and what to do.
     """
     with pipeline.built() as (engine, world, observers):
+        encoders = [part for _, part in engine.student.parts() if isinstance(part, Encoder)]
         return Resolved(
             describe(engine, world, pipeline),
             engine.amplifier.amount,
             plain(engine.amplifier.change.describe(), "amplifier.change"),
+            plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
         )
 
@@ -66,6 +71,11 @@ def sketch_of(pipeline: Pipeline) -> Sketch:
 def is_tutor_alone(values: Values) -> bool:
     """Return whether resolved values can never amplify anything."""
     return bool(values["student"]["use"] == "silent" and values["amplifier"]["use"] == "never")
+
+
+def learner_of(resolved: Mapping[str, Resolved]) -> str | None:
+    """Return the name of the first pipeline that can amplify; None if all are tutors alone."""
+    return next((name for name, found in resolved.items() if not is_tutor_alone(found.values)), None)
 
 
 def same(one: Values, other: Values) -> bool:

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import csv
 import json
+import math
+import zipfile
+import zlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from tutorstudent.core.recording import Arrays, load_arrays
 from tutorstudent.study.jobs import ERROR
+from tutorstudent.study.levels import BEST, Searched, load_searched, settled
+from tutorstudent.study.levels import FOLDER as SEARCH
 from tutorstudent.study.plan import Job, Plan
+from tutorstudent.study.timing import TIMING, Spent, load_timing, wall_of_sittings
 
 RECORD = "run.json"
 DECISIONS = "decisions.npz"
+AGAIN = "go on with 'compare --resume' to run it again."
 
 
 class Run(NamedTuple):
@@ -29,6 +36,10 @@ class Run(NamedTuple):
     def arrays(self) -> Arrays:
         """Return every decision, as `tutorstudent.core.recording.Recorder` kept it."""
         return load_arrays(self.folder / DECISIONS)
+
+    def spent(self) -> Spent:
+        """Return the seconds that it took; NaN where nobody knows."""
+        return load_timing(self.folder)
 
 
 class Failure(NamedTuple):
@@ -47,6 +58,17 @@ class Study(NamedTuple):
     plan: Plan
     runs: tuple[Run, ...]
     failures: tuple[Failure, ...]
+    search: Searched | None = None
+    """The table of constant levels that were tried, where one was searched for."""
+
+    def spent(self) -> Spent:
+        """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
+        cpu_s = [load_timing(path.parent).cpu_s for path in sorted(self.folder.rglob(TIMING))]
+        return Spent(sum(wall_of_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
+
+    def sittings(self) -> int:
+        """Return how often the study was begun or gone on with."""
+        return len(wall_of_sittings(self.folder))
 
     def of(self, environment: str, variant: str) -> list[Run]:
         """Return the runs of one row, by seed."""
@@ -54,20 +76,45 @@ class Study(NamedTuple):
 
 
 def read_study(folder: Path, plan: Plan) -> Study:
-    """Read the runs of a plan; those that failed or never ran are failures, none is left out."""
-    runs, failures = read_runs(folder, plan.jobs())
-    return Study(folder, plan, tuple(runs), tuple(failures))
+    """Read the runs of a plan; those that failed or never ran are failures, none is left out.
+
+    Returns:
+        The study, with the control of the level that was searched for in its plan.
+
+    Raises:
+        PipelineError: if the table of the search is damaged.
+    """
+    searched = load_searched(folder) if plan.search else None
+    complete = settled(plan, searched)
+    runs, failures = read_runs(folder, complete.jobs())
+    failures += _of_the_search(folder, plan, searched)
+    return Study(folder, complete, tuple(runs), tuple(failures), searched)
 
 
 def read_runs(folder: Path, jobs: Iterable[Job]) -> tuple[list[Run], list[Failure]]:
     """Read what jobs left below a folder, by environment, variant and seed; those without results are failures."""
-    runs, failures = [], []
-    for job in sorted(jobs, key=lambda job: (job.environment, job.variant, job.seed)):
-        if (folder / job.folder / RECORD).exists():
-            runs.append(_run(job, folder / job.folder))
-        else:
-            failures.append(Failure(job.environment, job.variant, job.seed, _problem(folder / job.folder)))
-    return runs, failures
+    ordered = sorted(jobs, key=lambda job: (job.environment, job.variant, job.seed))
+    found = [read_run(folder, job) for job in ordered]
+    return [item for item in found if isinstance(item, Run)], [item for item in found if isinstance(item, Failure)]
+
+
+def read_run(folder: Path, job: Job) -> Run | Failure:
+    """Read what one job left below a folder; a failure says why there is nothing, or what is damaged."""
+    place = folder / job.folder
+    if not (place / RECORD).exists():
+        return Failure(job.environment, job.variant, job.seed, _problem(place))
+    try:
+        summary = _summary(place)
+        _check_decisions(place / DECISIONS)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile, zlib.error) as error:
+        problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
+        return Failure(job.environment, job.variant, job.seed, problem)
+    return Run(job.environment, job.variant, job.seed, summary, place)
+
+
+def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
+    """Return the jobs that have no complete run below a folder, in their order."""
+    return [job for job in jobs if isinstance(read_run(folder, job), Failure)]
 
 
 def write_csv(path: Path, runs: Sequence[Run]) -> None:
@@ -81,13 +128,32 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _run(job: Job, place: Path) -> Run:
+def _summary(place: Path) -> dict[str, float]:
     data = json.loads((place / RECORD).read_text(encoding="utf-8"))
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
-    share = {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
-    return Run(job.environment, job.variant, job.seed, summary | share, place)
+    return summary | {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
+
+
+def _check_decisions(path: Path) -> None:
+    with zipfile.ZipFile(path) as archive:
+        broken = archive.testzip()
+    if broken is not None:
+        raise ValueError(f"{path.name}: {broken} is not what was written")
 
 
 def _problem(place: Path) -> str:
     error = place / ERROR
     return error.read_text(encoding="utf-8").partition("\n")[0] if error.exists() else "it was not run."
+
+
+def _of_the_search(folder: Path, plan: Plan, searched: Searched | None) -> list[Failure]:
+    """Return what went wrong in a search, and the runs that could not be made for want of a level."""
+    if plan.search is None or (searched and searched.complete()):
+        return []
+    _, failures = read_runs(folder / SEARCH, plan.search.plan.jobs())
+    lacking = [place.name for place in plan.environments if searched is None or searched.chosen(place.name) is None]
+    problem = "the search for its level has not ended; go on with 'compare --resume'."
+    return [
+        *(failure._replace(variant=f"search: {failure.variant}") for failure in failures),
+        *(Failure(environment, BEST, seed, problem) for environment in lacking for seed in plan.seeds),
+    ]

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 from tutorstudent.core.world import Sketch
+from tutorstudent.study.durable import write_whole
 
 
 def save_sketch(path: Path, sketch: Sketch) -> None:
@@ -16,7 +17,7 @@ def save_sketch(path: Path, sketch: Sketch) -> None:
         "poses": [[float(x), float(y), float(heading), colour] for x, y, heading, colour in sketch.poses],
     }
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(data) + "\n", encoding="utf-8")
+    write_whole(path, json.dumps(data) + "\n")
 
 
 def load_sketch(path: Path) -> Sketch:

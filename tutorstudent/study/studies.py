@@ -1,66 +1,128 @@
-"""A whole study: plan, drawings, every run, tables and page."""
+"""A whole study: plan, drawings, the search for a level, every run, tables and page; begun or gone on with."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import writing
+from tutorstudent.study.backends import LOKY, Backend, check_backend
+from tutorstudent.study.differences import differences
+from tutorstudent.study.durable import PARTIAL, remove_partial
 from tutorstudent.study.jobs import run_jobs
-from tutorstudent.study.plan import Plan, save_plan
+from tutorstudent.study.levels import FOLDER, settled
+from tutorstudent.study.plan import Job, Plan
+from tutorstudent.study.planfile import FILE, as_data, check_versions, load_plan, save_plan
 from tutorstudent.study.progress import shown
 from tutorstudent.study.resolving import reread, sketch_of
-from tutorstudent.study.results import Study
+from tutorstudent.study.results import Study, pending
+from tutorstudent.study.searching import find_levels, keep_levels
 from tutorstudent.study.sketches import save_sketch
+from tutorstudent.study.timing import Sitting
 
 
-def run_study(plan: Plan, folder: Path, workers: int = 1) -> Study:
+def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
     """Run a plan as ``tutorstudent compare`` does, with its progress on standard error, and write its report.
+
+    Where the folder holds a study of the same plan, the study goes on: complete runs stay, all others are run. The
+    results are the same, to the last byte, for any number of workers and interruptions; only the timing is not.
 
     Args:
         plan: From `make_plan`, or put together by hand.
-        folder: For all results.
-        workers: Number of processes; the results are the same for any number.
+        folder: For all results; new or empty, or with a study of the same plan.
+        workers: Number of processes.
+        backend: Who runs the jobs.
 
     Raises:
-        PipelineError: if the folder holds something else, or cannot be written.
+        PipelineError: if the folder holds something else or cannot be written, or the backend is not there.
     """
     from tutorstudent.study.report import write_report  # matplotlib is an extra
 
-    check_folder(folder)
-    write_plan(plan, folder, Registry.discover())
-    jobs = plan.jobs()
-    for _ in shown(run_jobs(jobs, folder, workers), f"runs of {plan.decisions} decisions", len(jobs)):
-        pass
+    check_backend(backend)
+    begin(plan, folder)
+    sitting, workforce = Sitting(folder, workers), (workers, backend)
+    if plan.search is not None:
+        jobs = plan.search.plan.jobs()
+        _run(f"search for the best constant level by {plan.search.goal}", jobs, folder / FOLDER, sitting, workforce)
+        searched = find_levels(plan.search, folder)
+        with writing(folder):
+            keep_levels(plan, searched, folder)
+        plan = settled(plan, searched)
+    _run(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
     return write_report(folder)
 
 
-def check_folder(out: Path) -> None:
+def begin(plan: Plan, folder: Path) -> None:
+    """Write the plan into its folder, with a drawing of every environment; or make sure that it stands there.
+
+    Raises:
+        PipelineError: if the folder holds something else, another plan, or cannot be written.
+    """
+    with writing(folder):
+        there = (folder / FILE).exists()
+    if there:
+        check_same(plan, folder)
+        with writing(folder):
+            remove_partial(folder)
+    else:
+        check_folder(folder)
+        with writing(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            save_plan(plan, folder)
+    _draw(plan, folder)
+
+
+def check_folder(folder: Path) -> None:
     """Refuse a folder that holds something already.
 
     Raises:
         PipelineError: if it does, or cannot be read.
     """
-    with writing(out):
-        if out.exists() and not out.is_dir():
-            raise PipelineError(f"--out {out}: there is a file of that name; give a folder.")
-        if out.is_dir() and any(out.iterdir()):
-            raise PipelineError(f"--out {out}: the folder is not empty; give a new one, or remove what is in it.")
+    with writing(folder):
+        if folder.exists() and not folder.is_dir():
+            raise PipelineError(f"--out {folder}: there is a file of that name; give a folder.")
+        found = [path.name for path in folder.iterdir()] if folder.is_dir() else []
+    if FILE in found:
+        raise PipelineError(
+            f"--out {folder}: the folder is not empty; it holds a study. Add --resume to go on with it, or give "
+            "a new folder."
+        )
+    if any(not name.endswith(PARTIAL) for name in found):
+        raise PipelineError(f"--out {folder}: the folder is not empty; give a new one, or remove what is in it.")
 
 
-def write_plan(plan: Plan, out: Path, registry: Registry) -> None:
-    """Write the plan, and the drawing of every environment.
+def check_same(plan: Plan, folder: Path) -> None:
+    """Refuse to go on with a study that is about something else, or was begun with other versions.
 
     Raises:
-        PipelineError: if the folder cannot be written.
+        PipelineError: with what differs.
     """
-    with writing(out):
-        out.mkdir(parents=True, exist_ok=True)
+    check_versions(folder)
+    there = load_plan(folder)
+    if there != plan:
+        raise PipelineError(
+            f"{folder}: its {FILE} is about another study. What differs: {differences(as_data(there), as_data(plan))}. "
+            "Leave the pipelines out to go on with the one that is there, or give another folder."
+        )
+
+
+def _draw(plan: Plan, folder: Path) -> None:
+    registry = Registry.discover()
     for environment in plan.environments:
-        pipeline = reread(environment.name, environment.variants[0].pipeline | {"seed": plan.seeds[0]}, registry)
-        sketch = sketch_of(pipeline)
-        with writing(out):
-            save_sketch(out / "sketches" / f"{environment.name}.json", sketch)
-    with writing(out):
-        save_plan(plan, out)
+        path = folder / "sketches" / f"{environment.name}.json"
+        if not path.exists():
+            values = environment.variants[0].pipeline | {"seed": plan.seeds[0]}
+            sketch = sketch_of(reread(environment.name, values, registry))
+            with writing(folder):
+                save_sketch(path, sketch)
+
+
+def _run(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
+    left = pending(folder, jobs)
+    with closing(run_jobs(left, folder, *workforce)) as results:
+        for _ in shown(results, title, len(jobs), done=len(jobs) - len(left)):
+            with writing(folder):
+                sitting.note()
