@@ -6,10 +6,11 @@ import contextlib
 import io
 import statistics
 import time
+from typing import Any
 
 from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
-from tutorstudent.checks.usage import Usage, answers, fresh
+from tutorstudent.checks.usage import Question, Usage, answers, close, fresh
 
 
 def works(usage: Usage) -> None:
@@ -59,9 +60,9 @@ def closes_twice(usage: Usage) -> None:
     """It may be closed unused, and closed again."""
     unused, used = fresh(usage), fresh(usage)
     answers(usage, used)
+    close(used)
     try:
-        for part in (unused, used):
-            part.close()
+        for part in (used, unused, unused):
             part.close()
     except RAISED as error:
         raise CheckFailed(
@@ -94,19 +95,19 @@ def prints_nothing(usage: Usage) -> None:
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
         part = fresh(usage)
         answers(usage, part)
-        part.close()
+        close(part)
     expect(not out.getvalue(), "nothing is printed", f"{out.getvalue()[:200]!r}", "remove the print, or use logging")
 
 
 def says_how_long_it_takes(usage: Usage) -> str:
     """Reports the median time of one question; it never fails for being slow."""
-    part = fresh(usage)
-    answers(usage, part)
-    usage.begin(part)
-    times = []
-    for question in usage.usual():
+    times: list[float] = []
+
+    def timed(part: Any, question: Question) -> Any:
         start = time.perf_counter()
-        usage.ask(part, question)
+        answer = usage.ask(part, question)
         times.append(time.perf_counter() - start)
-    part.close()
+        return answer
+
+    answers(usage, fresh(usage), timed)
     return f"median {statistics.median(times) * 1e6:.0f} us per decision"

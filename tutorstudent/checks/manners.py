@@ -7,7 +7,7 @@ from typing import Any
 
 from tutorstudent.checks.likeness import damaged, snapshot
 from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
-from tutorstudent.checks.usage import Question, Usage, fresh, unusable
+from tutorstudent.checks.usage import Question, Usage, answers, fresh
 from tutorstudent.core.interfaces import Tutor
 
 BROKEN_READINGS = (math.nan, math.inf, -math.inf)
@@ -15,31 +15,41 @@ BROKEN_READINGS = (math.nan, math.inf, -math.inf)
 
 def answers_are_sound(usage: Usage) -> None:
     """What it says is what its role declares: types, kinds, bounds, widths, names, finite numbers."""
-    _ask_all(usage, _begun(usage), usage.usual(), judged=True)
+
+    def judged(part: Any, question: Question) -> None:
+        usage.judge(part, question, usage.ask(part, question))
+
+    answers(usage, fresh(usage), judged)
 
 
 def changes_nothing_it_is_handed(usage: Usage) -> None:
     """States, moments, actions, lessons and all else are as they were when it is done with them."""
-    part, questions = _begun(usage), usage.usual()
-    for number, question in enumerate(questions):
+    asked = 0
+
+    def watched(part: Any, question: Question) -> Any:
+        nonlocal asked
+        asked += 1
         before = snapshot(question)
         try:
-            usage.ask(part, question)
+            answer = usage.ask(part, question)
         except RAISED as error:
-            _is_a_write(error)
-            raise unusable(error) from error
+            _refused_write(error)
+            raise
         expect(
             before == snapshot(question),
             "what it is handed stays as it is",
-            f"it changed what it was handed in question {number + 1}",
+            f"it changed what it was handed in question {asked}",
             "copy what is to be changed: numpy's -=, sort() and x[...] = write into the state that everybody sees",
         )
+        return answer
+
+    answers(usage, fresh(usage), watched)
 
 
 def survives_broken_readings(usage: Usage) -> None:
     """With NaN or infinite readings a tutor still acts soundly; others may raise, and go on soundly afterwards."""
     broken = _broken_questions(usage)
-    part = _begun(usage)
+    part = _sound(usage)
     for question in broken:
         try:
             usage.judge(part, question, usage.ask(part, question))
@@ -55,39 +65,29 @@ def survives_broken_readings(usage: Usage) -> None:
 
 def goes_on_after_an_exception(usage: Usage) -> None:
     """It is asked again after it raised once: an exception must not leave it half done."""
-    part, questions = _begun(usage), usage.usual()
-    middle = len(questions) // 2
-    _ask_all(usage, part, questions[:middle], judged=False)
+    part = _sound(usage)
     try:
         usage.ask(part, usage.unreadable())
     except RAISED as error:
-        _goes_on(usage, part, f"after it raised {type(error).__name__} once", questions[middle:])
+        _goes_on(usage, part, f"after it raised {type(error).__name__} once")
         return
     raise CheckSkipped("it does not raise, whatever it is handed")
 
 
-def _begun(usage: Usage) -> Any:
-    part = fresh(usage)
+def _sound(usage: Usage) -> Any:
+    # A part in the middle of its work, whose answers were sound so far.
     try:
-        usage.begin(part)
-    except RAISED as error:
-        raise unusable(error) from error
+        answers_are_sound(usage)
+    except CheckFailed as error:
+        raise CheckSkipped("its answers are never sound, see the check 'answers_are_sound'") from error
+    part = fresh(usage)
+    answers(usage, part)
     return part
 
 
-def _ask_all(usage: Usage, part: Any, questions: list[Question], *, judged: bool) -> None:
-    for question in questions:
-        try:
-            answer = usage.ask(part, question)
-        except RAISED as error:
-            raise unusable(error) from error
-        if judged:
-            usage.judge(part, question, answer)
-
-
-def _goes_on(usage: Usage, part: Any, when: str, questions: list[Question] | None = None) -> None:
+def _goes_on(usage: Usage, part: Any, when: str) -> None:
     try:
-        for question in questions or usage.usual():
+        for question in usage.usual():
             usage.judge(part, question, usage.ask(part, question))
     except RAISED as error:
         raise CheckFailed(
@@ -114,7 +114,7 @@ def _broken_questions(usage: Usage) -> list[Question]:
     return usage.questions(broken)
 
 
-def _is_a_write(error: BaseException) -> None:
+def _refused_write(error: BaseException) -> None:
     # numpy refuses to write into read-only arrays, pydantic and dataclasses into frozen objects.
     refused = ("read-only", "is frozen", "frozen_instance", "cannot assign to field")
     if any(word in str(error) for word in refused):

@@ -11,7 +11,7 @@ import numpy as np
 from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.subject import SEED, family
-from tutorstudent.checks.usage import Usage, answers, fresh
+from tutorstudent.checks.usage import Usage, answers, close, fresh
 from tutorstudent.core.component import Component, stream
 from tutorstudent.core.world import World
 
@@ -53,12 +53,18 @@ def has_its_own_random_numbers(usage: Usage) -> None:
 
 def leaves_global_random_numbers_alone(usage: Usage) -> None:
     """The generators of `numpy.random` and `random` belong to everybody: they are neither drawn from nor seeded."""
-    before = snapshot(_globals())
-    part = fresh(usage)
-    answers(usage, part)
-    part.close()
+    saved = _globals()
+    _set_globals(_unlikely())
+    try:
+        before = snapshot(_globals())
+        part = fresh(usage)
+        answers(usage, part)
+        close(part)
+        after = snapshot(_globals())
+    finally:
+        _set_globals(saved)
     expect(
-        before == snapshot(_globals()),
+        before == after,
         "numpy.random and random are left as they are",
         "the state of a global generator changed",
         "draw from self.rng; hand it on to libraries, as in random_state=int(self.rng.integers(2**31))",
@@ -87,3 +93,13 @@ def _state(generator: Any) -> Any:
 
 def _globals() -> tuple[Any, Any]:
     return np.random.get_state(), random.getstate()  # noqa: NPY002 - these are what is watched
+
+
+def _set_globals(states: tuple[Any, Any]) -> None:
+    np.random.set_state(states[0])  # noqa: NPY002
+    random.setstate(states[1])
+
+
+def _unlikely() -> tuple[Any, Any]:
+    # A part that always seeds with its favourite number is caught only where that was not done before.
+    return np.random.RandomState(0x7E57).get_state(), random.Random(0x7E57).getstate()  # noqa: S311

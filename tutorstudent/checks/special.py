@@ -12,7 +12,7 @@ import numpy as np
 from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.subject import SEED
-from tutorstudent.checks.usage import Usage, answers, fresh
+from tutorstudent.checks.usage import Usage, answers, close, fresh
 from tutorstudent.core.proposals import KindProposal
 
 
@@ -64,7 +64,7 @@ def same_seed_same_trial(usage: Usage) -> None:
     part = fresh(usage)
     first, second = [answers(usage, part) for _ in range(2)]
     state, again = part.reset(SEED), part.reset(SEED)
-    part.close()
+    close(part)
     expect(
         snapshot((first, state)) == snapshot((second, again)),
         "two trials of one seed with the same actions are the same",
@@ -81,7 +81,7 @@ def states_stay_as_they_were(usage: Usage) -> None:
     for question in usage.usual():
         states.append(usage.ask(part, question).state)
         before.append(snapshot(states[-1]))
-    part.close()
+    close(part)
     changed = [number for number, state in enumerate(states) if snapshot(state) != before[number]]
     writable = [array for state in states for array in _arrays(state) if array.flags.writeable]
     expect(
@@ -97,7 +97,7 @@ def draws_itself_with_finite_numbers(usage: Usage) -> None:
     part = fresh(usage)
     answers(usage, part)
     sketch = part.sketch()
-    part.close()
+    close(part)
     numbers = [
         *(value for outline, _ in sketch.polygons for point in outline for value in point),
         *(value for centre, radius, _ in sketch.discs for value in (*centre, radius)),

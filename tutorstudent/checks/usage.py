@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import abc
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
 from tutorstudent.checks.likeness import Unreadable
@@ -61,15 +61,15 @@ class Usage(abc.ABC):
         return tuple(Unreadable() for _ in self.usual()[0])
 
 
-def answers(usage: Usage, part: Any) -> list[Any]:
-    """Begin a trial, ask everything, and return the answers.
+def answers(usage: Usage, part: Any, ask: Callable[[Any, Question], Any] | None = None) -> list[Any]:
+    """Begin a trial, ask everything (by `ask` instead of the usage's own, if given), and return the answers.
 
     Raises:
         CheckSkipped: if the part raises, which is for the check ``works`` to tell.
     """
     try:
         usage.begin(part)
-        return [usage.ask(part, question) for question in usage.usual()]
+        return [(ask or usage.ask)(part, question) for question in usage.usual()]
     except (CheckFailed, CheckSkipped):
         raise
     except RAISED as error:
@@ -84,6 +84,18 @@ def fresh(usage: Usage, slot: str = "", seed: int = SEED) -> Any:
     """
     try:
         return usage.subject.bound(slot, seed)
+    except RAISED as error:
+        raise unusable(error) from error
+
+
+def close(part: Any) -> None:
+    """Close a part.
+
+    Raises:
+        CheckSkipped: if it raises, which is for the check ``works`` to tell.
+    """
+    try:
+        part.close()
     except RAISED as error:
         raise unusable(error) from error
 
