@@ -1,0 +1,1 @@
+"""Published controllers as tutors, each with the learner round it and the world in which it is judged."""
