@@ -149,7 +149,7 @@ def test_a_mistake_is_told_in_the_file_in_which_it_stands(base: str, own: str, m
         ("list.yaml", "child.yaml:1:1: extends: list.yaml holds no mapping; extend a pipeline."),
         ("empty.yaml", "child.yaml:1:1: extends: empty.yaml holds no mapping; extend a pipeline."),
         ("torn.yaml", "torn.yaml:2:4: not valid YAML:"),
-        ("bytes.yaml", "bytes.yaml: cannot be read:"),
+        ("bytes.yaml", "bytes.yaml:1:1: cannot be read:"),
     ],
 )
 def test_a_file_that_cannot_be_extended_is_refused_with_its_place(named: str, message: str) -> None:

@@ -1,4 +1,4 @@
-"""Reads YAML into plain values and remembers where each stood. No tags, no objects, no duplicate keys."""
+"""Reads YAML into plain values and remembers where each stood."""
 
 from __future__ import annotations
 
@@ -7,31 +7,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ruamel.yaml import YAML
-from ruamel.yaml.comments import CommentedMap, CommentedOrderedMap, CommentedSeq, CommentedSet
-from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.error import YAMLError
 
 from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.yamlnodes import DEEPEST, Location, NodeReader, Place
+from tutorstudent.core.yamlproblems import position, syntax_problem
 
-Key = int | str
-Location = tuple[Key, ...]
-DEEPEST = 50
-PLAIN_TAGS = {f"tag:yaml.org,2002:{name}" for name in ("map", "seq", "str", "int", "float", "bool", "null")}
-TAGGED: dict[type[Any], str] = {
-    CommentedOrderedMap: "!!omap",
-    CommentedSet: "!!set",
-    list: "!!pairs",
-    bytes: "!!binary",
-}
-"""What the reader makes of tags that it does not keep."""
-
-
-class Place(NamedTuple):
-    """A line and a column, counted from 1."""
-
-    line: int
-    column: int
-    file: str = ""
-    """Where it is not the document's own: what a file extends stands in another one."""
+LARGEST = 500_000
+"""Characters of a file; more would take the parser minutes."""
 
 
 class Document(NamedTuple):
@@ -83,59 +66,38 @@ def read_yaml(path: Path) -> Document:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PipelineError(f"{path}: there is no such file. Give the path of a YAML file.") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise PipelineError(f"{path}: cannot be read: {error}. Give the path of a YAML file in UTF-8.") from None
+    except UnicodeDecodeError as error:
+        before = error.object[: error.start].decode("utf-8")
+        place = f"{path}:{position(before, len(before))}"
+        raise PipelineError(f"{place}: cannot be read: this is not UTF-8. Save the file in UTF-8.") from None
+    except OSError as error:
+        raise PipelineError(f"{path}: cannot be read: {error.strerror}. Give the path of a YAML file.") from None
     return parse_yaml(text, str(path))
 
 
 def parse_yaml(text: str, name: str) -> Document:
-    """Parse YAML text; `name` stands for it in messages."""
-    places: dict[Location, Place] = {}
+    """Parse YAML text; `name` stands for it in messages.
+
+    Raises:
+        PipelineError: if it is not plain YAML, with the place and the remedy.
+    """
+    if len(text) > LARGEST:
+        raise PipelineError(f"{name}: it has {len(text):,} characters; a file that is read has {LARGEST:,} at most.")
+    reader = NodeReader(name)
     try:
-        return Document(name, _plain(YAML(typ="rt").load(text), (), places, name), places)
-    except (RecursionError, AttributeError):  # the second is the reader's, for a mapping that is merged into itself
+        node = _compose(text)
+        return Document(name, None if node is None else reader.value(node), reader.places)
+    except RecursionError:
         raise PipelineError(f"{name}: it is nested too deeply, or in itself; write it flat.") from None
-    except MarkedYAMLError as error:
-        mark = error.problem_mark
-        position = f"{name}:{mark.line + 1}:{mark.column + 1}" if mark else name
-        raise PipelineError(f"{position}: not valid YAML: {' '.join(str(error.problem).split())}.") from None
-    except (YAMLError, ValueError) as error:
-        raise PipelineError(f"{name}: not valid YAML: {' '.join(str(error).split())}.") from None
+    except YAMLError as error:
+        raise PipelineError(syntax_problem(name, text, error)) from None
 
 
-def _plain(node: Any, at: Location, places: dict[Location, Place], name: str) -> Any:
-    if len(at) > DEEPEST:
-        raise PipelineError(f"{name}: it is nested too deeply, or in itself; write it flat.")
-    tag = TAGGED.get(type(node)) or getattr(getattr(node, "tag", None), "value", None)
-    if tag is not None and str(tag) not in PLAIN_TAGS:
-        position = _position(name, places.get(at))
-        raise PipelineError(f"{position}: the tag '{tag}' is not allowed; write plain YAML without tags.")
-    if isinstance(node, CommentedMap):
-        for key in node:
-            place = _place_of(node, key) or places.get(at)
-            if not isinstance(key, str):
-                raise PipelineError(f"{_position(name, place)}: the key {key!r} is not a word; quote it.")
-            if place is not None:
-                places[(*at, str(key))] = place
-        return {str(key): _plain(value, (*at, str(key)), places, name) for key, value in node.items()}
-    if isinstance(node, CommentedSeq):
-        for i in range(len(node)):
-            places[(*at, i)] = Place(*(number + 1 for number in node.lc.item(i)))
-        return [_plain(value, (*at, i), places, name) for i, value in enumerate(node)]
-    return _scalar(node)
+def _compose(text: str) -> Any:
+    yaml = YAML(typ="safe", pure=True)
+    yaml.max_depth = DEEPEST
+    yaml.composer.warn_double_anchors = False  # a name may be given again
+    return yaml.compose(text)
 
 
-def _place_of(node: CommentedMap, key: Any) -> Place | None:
-    try:
-        return Place(*(number + 1 for number in node.lc.key(key)))
-    except (KeyError, TypeError):  # it was merged in with '<<' and has no line of its own
-        return None
-
-
-def _scalar(node: Any) -> Any:
-    if node is None or isinstance(node, bool):
-        return node
-    for plain in (int, float, str):
-        if isinstance(node, plain):
-            return plain(node)
-    return str(node)
+__all__ = ["Document", "Location", "Place", "parse_yaml", "read_yaml"]
