@@ -1,0 +1,99 @@
+"""A controller in another program as a tutor."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+from pydantic import ValidationError
+
+from tutorstudent.core.actions import Action
+from tutorstudent.core.component import Component, option_problems
+from tutorstudent.core.errors import ContractError
+from tutorstudent.core.interfaces import Tutor
+from tutorstudent.plugins.process import protocol
+from tutorstudent.plugins.process.keeper import Keeper
+from tutorstudent.plugins.process.options import ProcessOptions
+from tutorstudent.plugins.process.plain import plain
+from tutorstudent.plugins.process.vocabulary import action_class
+
+
+class ProcessTutor(Tutor[Any, Any]):
+    """Ask a program for every action, over its standard streams; any language, any environment.
+
+    A decision takes `deadline_s` at most: then, or where the program breaks down, the tutor fails, and
+    ``on_tutor_failure`` of the pipeline says what happens. docs/process-protocol.md is the protocol.
+    """
+
+    name: ClassVar[str] = "process"
+    Options = ProcessOptions
+    options: ProcessOptions
+
+    _keeper: Keeper | None = None
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options)
+        self.action: type[Action] = action_class(self.options.action, self.options.action_of)
+        self._number = -1
+        self._situation = ""
+
+    def parts(self) -> Iterator[tuple[str, Component]]:
+        """Yield nothing: of the world in the options only the action class is read; it is never set up."""
+        yield from ()
+
+    def setup(self) -> None:
+        """Start the program.
+
+        Raises:
+            PipelineError: It cannot be started, or does not say hello in time.
+        """
+        seed = int(self.rng.integers(2**31))
+        self._keeper = Keeper(self.options, protocol.hello(self.action, seed))
+        self._keeper.start()
+
+    def act(self, state: Any) -> Any:
+        until_s = time.monotonic() + self.options.deadline_s
+        self._number += 1
+        self._situation = ""
+        message = protocol.line("decide", number=self._number, state=plain(state))
+        answer = self._running().ask(self._number, message, until_s)
+        action = self._action(answer.action)
+        self._situation = answer.situation
+        return action
+
+    @property
+    def situation(self) -> str:
+        return self._situation
+
+    def executed(self, action: Any) -> None:
+        if self._keeper is not None:
+            self._keeper.tell(protocol.line("executed", number=self._number, action=action.model_dump()))
+
+    def reset(self) -> None:
+        super().reset()
+        if self._keeper is not None:
+            self._keeper.tell(protocol.line("reset"))
+
+    def close(self) -> None:
+        """End the program, with all that it started."""
+        super().close()
+        if self._keeper is not None:
+            self._keeper.close()
+
+    def _running(self) -> Keeper:
+        if self._keeper is None:
+            raise ContractError(
+                "tutor 'process': the program was not started; bind the tutor, or give it to an engine."
+            )
+        return self._keeper
+
+    def _action(self, values: dict[str, Any]) -> Action:
+        try:
+            return self.action(**values)
+        except ValidationError as error:
+            _, problem = option_problems(self.action, error)[0]
+            raise ContractError(
+                f"tutor 'process' ({self.options.program[0]}): its answer to decision {self._number} is not a "
+                f"{self.action.__name__}: {problem}"
+            ) from None
