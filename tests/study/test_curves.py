@@ -10,7 +10,7 @@ import pytest
 from tutorstudent.core.recording import Arrays
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import run_pipeline
-from tutorstudent.study.curves import entries, event, harm, level, thinned
+from tutorstudent.study.curves import entered, event, harmed, level, matched, places, thinned, total
 from tutorstudent.study.requests import read_pipelines
 
 
@@ -18,12 +18,22 @@ from tutorstudent.study.requests import read_pipelines
 def test_curves_end_where_the_observers_do(name: str, files: dict[str, Path], registry: Registry) -> None:
     pipeline = read_pipelines([files[name]], registry)[name].replaced({"decisions": 230, "world.trial": 13})
     finished = run_pipeline(pipeline)
-    turns = entries(finished.decisions, "Returning")
+    turns = total(entered(finished.decisions, "Returning"))
     assert finished.summary["turns"] == turns[-1]
     assert finished.summary["turns"] > 10
-    assert finished.summary["collided"] == harm(finished.decisions)[-1]
-    assert finished.summary["mean_level"] == pytest.approx(level(finished.decisions, 230)[-1])
+    assert finished.summary["collided"] == harmed(finished.decisions).sum()
+    assert finished.summary["mean_level"] == pytest.approx(level(finished.decisions).mean())
     assert np.all(np.diff(turns) >= 0)
+
+
+def test_matches_are_those_that_the_observer_counts(files: dict[str, Path], registry: Registry) -> None:
+    pipelines = read_pipelines([files["full"], files["streamlined"]], registry)
+    named = run_pipeline(pipelines["full"])
+    found = matched(named.decisions)
+    assert found is not None
+    assert named.summary["match_rate"] == pytest.approx(found.mean())
+    assert 0 < found.sum() < len(found)
+    assert matched(run_pipeline(pipelines["streamlined"]).decisions) is None
 
 
 def recorded(**columns: object) -> Arrays:
@@ -36,23 +46,30 @@ def test_a_stay_is_one_entry_and_a_trials_end_interrupts_it() -> None:
         situation_names=["", "Prey Spin", "Avoid"],
         trial_ended=[0, 0, 0, 0, 0, 1, 0, 0],
     )
-    assert [0, 1, 1, 1, 2, 2, 3, 3] == entries(arrays, "Prey Spin").tolist()
-    assert [0] * 8 == entries(arrays, "never was in it").tolist()
-    assert [1, 1, 1, 2, 2, 2, 2, 2] == entries(arrays, "").tolist()
+    assert [0, 1, 1, 1, 2, 2, 3, 3] == total(entered(arrays, "Prey Spin")).tolist()
+    assert [0] * 8 == total(entered(arrays, "never was in it")).tolist()
+    assert [1, 1, 1, 2, 2, 2, 2, 2] == total(entered(arrays, "")).tolist()
 
 
 def test_harm_is_violations_where_the_world_knows_no_collisions() -> None:
     violated = [[False, False], [True, True], [False, True]]
     arrays = recorded(violated=violated, events=np.zeros((3, 0)), event_names=np.zeros(0, dtype="<U1"))
-    assert [0, 1, 2] == harm(arrays).tolist()
+    assert [False, True, True] == harmed(arrays).tolist()
     assert event(arrays, "collided") is None
 
 
-@pytest.mark.parametrize("window", [1, 2, 5, 100])
-def test_the_level_is_a_mean_over_the_last_decisions(window: int) -> None:
-    levels = np.random.default_rng(1).integers(0, 9, 30)
-    expected = [levels[max(0, i + 1 - window) : i + 1].mean() for i in range(30)]
-    np.testing.assert_allclose(expected, level(recorded(resulting_level=levels), window))
+def test_a_place_needs_both_coordinates() -> None:
+    events = np.arange(6.0).reshape(2, 3)
+    both = places(recorded(events=events, event_names=["y_m", "collided", "x_m"]))
+    assert both is not None
+    assert [[2.0, 0.0], [5.0, 3.0]] == both.tolist()
+    assert places(recorded(events=events, event_names=["y_m", "collided", "z_m"])) is None
+
+
+def test_a_student_that_names_no_kind_now_and_then_does_not_match_then() -> None:
+    found = matched(recorded(kind=[0, 1, 2], proposed_kind=[0, -1, 1]))
+    assert found is not None
+    assert [True, False, False] == found.tolist()
 
 
 @pytest.mark.parametrize("length", [1, 2, 159, 160, 161, 10_000])

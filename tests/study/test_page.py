@@ -111,9 +111,13 @@ def test_every_link_within_the_page_leads_somewhere(outline: Outline) -> None:
     assert {link for link in links if link.startswith("#")} <= {f"#{target}" for target in targets}
 
 
+def section_of(text: str, environment: str) -> str:
+    return text.partition(f'<section id="{environment}">')[2].partition("</section>")[0]
+
+
 def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
     for environment in study.plan.environments:
-        section = text.partition(f'<section id="{environment.name}">')[2].partition("</section>")[0]
+        section = section_of(text, environment.name)
         rows = section.partition("Every run as numbers")[2].count("<tr") - 1
         assert len([run for run in study.runs if run.environment == environment.name]) == rows
         for title in ("turns", "collisions, per decision"):
@@ -125,7 +129,8 @@ def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
 
 def test_every_variant_has_a_panel_for_each_measure(study: Study, outline: Outline) -> None:
     labels = [label for attributes in outline.all("svg") if (label := attributes.get("aria-label"))]
-    for title in ("turns", "collisions, per decision", "amplification level"):
+    totals = ("turns", "collisions, per decision")
+    for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "amplification level"):
         for variant in study.plan.variants():
             found = [label for label in labels if label.startswith(f"{title} over decisions, {variant.name}. ")]
             assert len(study.plan.environments) == len(found)
@@ -139,7 +144,8 @@ def test_runs_that_failed_are_told(study: Study, text: str) -> None:
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:
     drawings = outline.all("svg")
-    assert 2 * (2 + 3 * 6 + 2) == len(drawings)
+    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, 3 * 6, 2, 2, 6
+    assert 2 * (gains + strips + totals + rates + matches + ways + harms) == len(drawings)
     assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
 
 

@@ -7,20 +7,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tutorstudent.core.recording import Arrays
+from tutorstudent.core.recording import NO_LEVEL, Arrays
 
 Curve = NDArray[np.float64]
 
 
-def entries(arrays: Arrays, situation: str) -> Curve:
-    """Return how often the tutor had entered a situation after each decision, shape (decisions,).
+def entered(arrays: Arrays, situation: str) -> NDArray[np.bool_]:
+    """Return in which decisions the tutor entered a situation, shape (decisions,).
 
     Counts as `tutorstudent.core.observers.Entries` does: a trial's end interrupts a stay.
     """
     codes = np.flatnonzero(arrays["situation_names"] == situation)
-    inside = np.isin(arrays["situation"], codes)
+    return begun(np.isin(arrays["situation"], codes), arrays)
+
+
+def begun(inside: NDArray[np.bool_], arrays: Arrays) -> NDArray[np.bool_]:
+    """Return where something begins that is inside or not, shape (decisions,); it ends with a trial."""
     stayed = np.concatenate([[False], inside[:-1] & ~arrays["trial_ended"][:-1].astype(bool)])
-    return np.cumsum(inside & ~stayed).astype(np.float64)
+    return np.asarray(inside & ~stayed, dtype=bool)
 
 
 def event(arrays: Arrays, name: str) -> Curve | None:
@@ -29,19 +33,32 @@ def event(arrays: Arrays, name: str) -> Curve | None:
     return np.asarray(arrays["events"][:, found[0]], dtype=np.float64) if len(found) else None
 
 
-def harm(arrays: Arrays) -> Curve:
-    """Return how many decisions had collided after each one; violated ones where the world knows no collisions."""
+def places(arrays: Arrays) -> NDArray[np.float64] | None:
+    """Return where the learner was after each decision, shape (decisions, 2), metres; None if that is not known."""
+    x, y = event(arrays, "x_m"), event(arrays, "y_m")
+    return None if x is None or y is None else np.column_stack([x, y])
+
+
+def harmed(arrays: Arrays) -> NDArray[np.bool_]:
+    """Return which decisions collided, shape (decisions,); violated ones where the world knows no collisions."""
     collided = event(arrays, "collided")
-    return np.cumsum(arrays["violated"].any(axis=1) if collided is None else collided > 0).astype(np.float64)
+    return np.asarray(arrays["violated"].any(axis=1) if collided is None else collided > 0, dtype=bool)
 
 
-def level(arrays: Arrays, window: int) -> Curve:
-    """Return the amplification level as a moving mean over the last `window` decisions, shape (decisions,)."""
-    levels = np.asarray(arrays["resulting_level"], dtype=np.float64)
-    sums = np.concatenate([[0.0], np.cumsum(levels)])
-    ends = np.arange(1, len(levels) + 1)
-    begins = np.maximum(0, ends - window)
-    return np.asarray((sums[ends] - sums[begins]) / (ends - begins), dtype=np.float64)
+def level(arrays: Arrays) -> Curve:
+    """Return the amplification level of every decision, shape (decisions,)."""
+    return np.asarray(arrays["resulting_level"], dtype=np.float64)
+
+
+def matched(arrays: Arrays) -> NDArray[np.bool_] | None:
+    """Return in which decisions the student named the tutor's kind, shape (decisions,); None if it never named any."""
+    proposed = arrays["proposed_kind"]
+    return np.asarray(proposed == arrays["kind"], dtype=bool) if np.any(proposed != NO_LEVEL) else None
+
+
+def total(happened: NDArray[np.bool_]) -> Curve:
+    """Return how often something had happened after each decision, shape (decisions,)."""
+    return np.cumsum(happened).astype(np.float64)
 
 
 def thinned(length: int, points: int = 160) -> NDArray[Any]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.recording import Arrays
 from tutorstudent.core.world import Sketch
-from tutorstudent.study.curves import event
+from tutorstudent.study.curves import places
 from tutorstudent.study.palette import FLOOR, MAP_COLOURS, WALL, Palette
 from tutorstudent.study.svg import STYLE, sheet, svg
 
@@ -25,12 +25,12 @@ HIGHEST_LEVEL = 8
 
 def way_map(title: str, sketch: Sketch, arrays: Arrays, palette: Palette) -> str | None:
     """Return an SVG of one run's way; None if the world does not say where the robot is."""
-    x, y = event(arrays, "x_m"), event(arrays, "y_m")
-    if x is None or y is None:
+    where = places(arrays)
+    if where is None:
         return None
     with mpl.rc_context(STYLE):
         figure, axes = sheet(SIZE_PX, SIZE_PX, left_px=26, bottom_px=34)
-        draw_way(axes, sketch, arrays, np.column_stack([x, y]))
+        draw_way(axes, sketch, arrays, where)
         axes.set_title(title, color=palette.drawn(title), fontweight="bold")
         mean_level = float(arrays["resulting_level"].mean())
         alt = f"Map of the way of {title}, coloured by amplification level; the mean level is {mean_level:.1f}."
@@ -39,12 +39,26 @@ def way_map(title: str, sketch: Sketch, arrays: Arrays, palette: Palette) -> str
 
 def draw_way(axes: Axes, sketch: Sketch, arrays: Arrays, points: NDArray[np.float64]) -> None:
     """Draw the world and the way through `points`, shape (decisions, 2), in metres, coloured by level."""
-    axes.set_facecolor(FLOOR)
     axes.add_collection(_way(points, arrays))
+    draw_world(axes, sketch)
+
+
+def draw_world(axes: Axes, sketch: Sketch) -> None:
+    """Draw the world round what is there already, in metres, one scale for both directions."""
+    axes.set_facecolor(FLOOR)
     _draw(axes, sketch)
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_xlabel("m")
+
+
+def way_pieces(points: NDArray[np.float64], arrays: Arrays) -> NDArray[np.float64]:
+    """Return the way through `points`, shape (n, 2), as one line with a gap (NaN) wherever a trial ended.
+
+    >>> way_pieces(np.array([[0.0, 0.0], [1.0, 0.0]]), {"trial_ended": np.array([1, 0])}).tolist()
+    [[0.0, 0.0], [nan, nan], [1.0, 0.0]]
+    """
+    return np.insert(points, np.flatnonzero(arrays["trial_ended"][:-1]) + 1, np.nan, axis=0)
 
 
 def level_colours() -> Colormap:

@@ -7,10 +7,10 @@ from collections.abc import Iterable
 from html import escape
 from importlib import resources
 
-from tutorstudent.study.maps import level_scale
+from tutorstudent.study.galleries import folded_html, gallery_html
 from tutorstudent.study.media import html
 from tutorstudent.study.palette import Palette
-from tutorstudent.study.pictures import LEVEL, Pictures, level_window, pictures
+from tutorstudent.study.pictures import pictures
 from tutorstudent.study.plan import Environment, Plan, Variant
 from tutorstudent.study.results import Failure, Study
 from tutorstudent.study.tables import CONTROLS, INTERVALS, runs_table, tables
@@ -82,37 +82,12 @@ def _section(study: Study, environment: Environment, palette: Palette) -> str:
     colours = palette.css_by_name()
     shown = "\n".join(f"<h3>{table.title}</h3>\n{html(table, colours)}" for table in tables(study, environment))
     every = runs_table(study, environment)
-    drawn = _pictures(pictures(study, environment, palette), environment, study.plan)
+    drawn = pictures(study, environment, palette)
+    galleries = "\n".join(gallery_html(gallery) for gallery in drawn.shown)
     return (
         f'<section id="{escape(environment.name)}">\n<h2>{escape(environment.name)}</h2>\n'
-        f"{shown}\n{drawn}\n"
+        f"{shown}\n{galleries}\n{folded_html('Learning curves, summed up', drawn.totals)}\n"
         f"<details><summary>Every run as numbers</summary>{html(every, colours)}</details>\n</section>"
-    )
-
-
-def _pictures(drawn: Pictures, environment: Environment, plan: Plan) -> str:
-    window = level_window(plan.decisions)
-    strips = "".join(f'<figure class="picture">{item}</figure>' for item in drawn.strips)
-    parts = [
-        f'<h3>Every run</h3>\n<div class="pair">{strips}</div>\n<p class="note">A dot is a run, a bar the median.</p>'
-    ]
-    dashed = f" Dashed: the mean of {escape(environment.reference)}." if environment.reference else ""
-    for title, panels in drawn.panels.items():
-        film = "".join(f'<figure class="picture">{panel}</figure>' for panel in panels)
-        over = f"Moving mean over {window} decisions." if title == LEVEL else "Over decisions."
-        note = f'<p class="note">{over} Thin: every run. Thick: their mean.{dashed}</p>'
-        parts.append(f'<h3>{escape(title[:1].upper() + title[1:])}</h3>\n{note}\n<div class="film">{film}</div>')
-    if drawn.maps:
-        film = "".join(f'<figure class="picture">{item}</figure>' for item in drawn.maps)
-        parts.append(f'<h3>Where it drove</h3>\n{_scale(plan.seeds[0])}\n<div class="film maps">{film}</div>')
-    return "\n".join(parts)
-
-
-def _scale(seed: int) -> str:
-    bars = "".join(f'<i style="background:{colour}"></i>' for colour in level_scale())
-    return (
-        f'<p class="note">The run with seed {seed}, the first, not a chosen one; bodies stand where they begin. '
-        f'<span class="key">Amplification level 0 <span class="scale">{bars}</span> 8</span></p>'
     )
 
 

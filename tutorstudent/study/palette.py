@@ -30,11 +30,14 @@ CONTROLS = (
 
 INK = "#010203"
 FAINT = "#010204"
-STAND_INS = {INK: "var(--ink)", FAINT: "var(--line)"}
+GROUND = "#010205"
+STAND_INS = {INK: "var(--ink)", FAINT: "var(--line)", GROUND: "var(--panel)"}
 """What pictures are drawn with, and what the page makes of it."""
 
 FLOOR = "#f6f4ee"
 WALL = "#3b3b3b"
+WAY = "#c9c4b8"
+HARM = "#b3007a"
 MAP_COLOURS = {"red": "#d1332e", "blue": "#2a62c9", "green": "#2c8a4b", "yellow": "#d9a400"}
 """Maps keep one ground of their own, because a trajectory's colour is a number there."""
 

@@ -9,13 +9,13 @@ import numpy as np
 LINEAR_UP_TO = 10
 """Long scales are linear up to here and logarithmic beyond."""
 LONG_LABEL = f"logarithmic beyond {LINEAR_UP_TO}"
-_LONG_FROM = 100.0
+_LONG_FROM = 40.0
 
 
 def is_long_tailed(numbers: Sequence[float]) -> bool:
     """Return whether a linear scale would hide most of the numbers.
 
-    >>> is_long_tailed([0, 2, 3, 500]), is_long_tailed([200, 300, 500]), is_long_tailed([0, 1, 50])
+    >>> is_long_tailed([0, 2, 3, 500]), is_long_tailed([200, 300, 500]), is_long_tailed([0, 1, 30])
     (True, False, False)
     """
     highest = max(numbers, default=0.0)

@@ -21,13 +21,13 @@ def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -
     Where a few numbers are far above the others the scale is logarithmic beyond 10; the axis says so.
     """
     with mpl.rc_context(STYLE):
-        left_px = min(LETTER_PX * max(len(name) for name in values) + 14, WIDTH_PX / 2)
+        left_px = min(LETTER_PX * max(len(name) for name in values) + 18, WIDTH_PX / 2)
         figure, axes = sheet(WIDTH_PX, MARGIN_PX + ROW_PX * len(values), left_px=left_px, bottom_px=32)
         for row, (name, numbers) in enumerate(values.items()):
             _draw_row(axes, row, numbers, palette.drawn(name))
         axes.set_yticks(range(len(values)), list(values))
         axes.set_ylim(len(values) - 0.4, -0.6)
-        axes.tick_params(axis="y", length=0)
+        axes.tick_params(axis="y", length=0, pad=8)  # dots at 0 stand across the axis
         axes.grid(axis="x", linewidth=0.5)
         _scale(axes, title, [number for numbers in values.values() for number in numbers])
         return svg(figure, f"{title}, every run. {_alt(values)}.", palette.stand_ins())

@@ -28,6 +28,7 @@ STYLE: Any = {
     "axes.spines.right": False,
     "axes.titlesize": 9.5,
     "axes.titlelocation": "left",
+    "axes.titley": 1.0,
     "grid.color": FAINT,
     "figure.facecolor": "none",
     "xtick.color": FAINT,
@@ -43,18 +44,20 @@ TOP_PX, RIGHT_PX = 20, 10
 _METADATA = {"Creator": None, "Date": None, "Format": None, "Type": None}
 
 
-def sheet(width_px: float, height_px: float, *, left_px: float, bottom_px: float) -> tuple[Figure, Axes]:
+def sheet(
+    width_px: float, height_px: float, *, left_px: float, bottom_px: float, right_px: float = RIGHT_PX
+) -> tuple[Figure, Axes]:
     """Return an empty drawing with margins for labels; the axes of drawings of one size are in line."""
     figure = Figure(figsize=(width_px * PIXEL, height_px * PIXEL))
     left, bottom = left_px / width_px, bottom_px / height_px
-    return figure, figure.add_axes((left, bottom, 1 - left - RIGHT_PX / width_px, 1 - bottom - TOP_PX / height_px))
+    return figure, figure.add_axes((left, bottom, 1 - left - right_px / width_px, 1 - bottom - TOP_PX / height_px))
 
 
-def svg(figure: Figure, alt: str, stand_ins: Mapping[str, str]) -> str:
+def svg(figure: Figure, alt: str, stand_ins: Mapping[str, str], raster_dpi: int = 150) -> str:
     """Return a drawing as an ``<svg>`` element with stand-in colours replaced; `alt` says what it shows."""
     buffer = io.StringIO()
     with mpl.rc_context(STYLE):
-        figure.savefig(buffer, format="svg", dpi=150, metadata=_METADATA)
+        figure.savefig(buffer, format="svg", dpi=raster_dpi, metadata=_METADATA)
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r' id="[^"]*_\d+"', "", text)  # several drawings in one page would repeat them

@@ -1,0 +1,120 @@
+"""What pictures need of a run: small enough that all runs of an environment are kept at once, each read once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tutorstudent.core.recording import Arrays
+from tutorstudent.study.bins import DECISIONS, binned
+from tutorstudent.study.curves import Curve, entered, event, harmed, level, matched, places, thinned, total
+from tutorstudent.study.plan import Environment
+from tutorstudent.study.results import Run, Study
+
+LEVEL = "amplification level"
+MATCH = "match rate, %"
+
+
+class Measures(NamedTuple):
+    """What is counted in one environment."""
+
+    counters: dict[str, str]
+    """What the tutors achieve, and the situation whose entries that is."""
+    harm: str
+    """``collided`` or, where the world knows no collisions, ``violated``."""
+
+    def harm_total(self) -> str:
+        """Return the title of the harm of a whole run, as in the tables."""
+        return "collisions, per decision" if self.harm == "collided" else "violated decisions"
+
+    def harm_rate(self) -> str:
+        """Return the title of the harm over the decisions."""
+        return f"{self.harm} decisions per {DECISIONS:,}"
+
+    def rates(self) -> list[str]:
+        """Return the titles of what is shown over the decisions as a rate."""
+        return [*(_rate(name) for name in self.counters), self.harm_rate(), LEVEL, MATCH]
+
+
+class Trace(NamedTuple):
+    """One run."""
+
+    seed: int
+    decisions: int
+    totals: dict[str, Curve]
+    """By title: how often it had happened, at `tutorstudent.study.curves.thinned` decisions; the last is the end."""
+    rates: dict[str, Curve]
+    """By title, a value for each of `tutorstudent.study.bins.edges`; what the run does not have is missing."""
+    harm_places: NDArray[np.float64] | None
+    """Where each harmed decision ended, shape (harmed, 2), metres; None if the world does not say."""
+    contact_places: NDArray[np.float64] | None
+    """The same where contacts began; None if the world counts no contacts."""
+
+
+class Traces(NamedTuple):
+    """All runs of one environment."""
+
+    measures: Measures
+    by_variant: dict[str, list[Trace]]
+    """By seed."""
+    firsts: dict[str, Arrays]
+    """By variant: every decision of the run with the study's first seed."""
+
+    def totals(self, title: str) -> dict[str, list[Curve]]:
+        """Return one measure of every run."""
+        return {name: [trace.totals[title] for trace in found] for name, found in self.by_variant.items()}
+
+    def rates(self, title: str) -> dict[str, list[Curve]]:
+        """Return one measure of every run that has it."""
+        return {
+            name: [trace.rates[title] for trace in found if title in trace.rates]
+            for name, found in self.by_variant.items()
+        }
+
+
+def read_traces(study: Study, environment: Environment) -> Traces:
+    """Read every run of an environment."""
+    runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
+    measures = Measures(environment.counters(), _harm([run for found in runs.values() for run in found]))
+    by_variant: dict[str, list[Trace]] = {}
+    firsts = {}
+    for name, found in runs.items():
+        by_variant[name] = []
+        for run in found:
+            arrays = run.arrays()
+            by_variant[name].append(_trace(run.seed, arrays, measures))
+            if run.seed == study.plan.seeds[0]:
+                firsts[name] = arrays
+    return Traces(measures, by_variant, firsts)
+
+
+def _harm(runs: Sequence[Run]) -> str:
+    return "collided" if any("collided" in run.summary for run in runs) else "violated"
+
+
+def _rate(name: str) -> str:
+    return f"{name} per {DECISIONS:,} decisions"
+
+
+def _trace(seed: int, arrays: Arrays, measures: Measures) -> Trace:
+    harm = harmed(arrays)
+    happened = {name: entered(arrays, situation) for name, situation in measures.counters.items()}
+    at = thinned(len(harm))
+    totals = {name: total(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
+    rates = {_rate(name): DECISIONS * binned(which.astype(float)) for name, which in happened.items()}
+    rates |= {measures.harm_rate(): DECISIONS * binned(harm.astype(float)), LEVEL: binned(level(arrays))}
+    match = matched(arrays)
+    if match is not None:
+        rates[MATCH] = 100 * binned(match.astype(float))
+    where, contacts = places(arrays), event(arrays, "contacts")
+    return Trace(
+        seed,
+        len(harm),
+        totals,
+        rates,
+        None if where is None else where[harm],
+        None if where is None or contacts is None else where[contacts > 0],
+    )
