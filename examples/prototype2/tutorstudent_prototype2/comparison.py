@@ -11,9 +11,9 @@ from tutorstudent_prototype2.thesis import RUNS, Row, prototype2, rows
 
 ATTRACTORS = "attractors"
 MEASURES = (ATTRACTORS, "collided", "contacts")
-"""What a run summarizes: attractors found; collisions per decision in which the robot's own motion was refused; and per
-contact, where the first refusal of each entanglement counts. The thesis does not say which of these it counted."""
-TITLES = {ATTRACTORS: "attractors found", "collided": "collisions, per decision", "contacts": "collisions, per contact"}
+"""What a run summarizes: attractors found; decisions in which the robot's own motion was refused; and contacts, where
+only the first refusal of each entanglement counts. The thesis does not say which of these it calls a collision."""
+TITLES = {ATTRACTORS: "attractors found", "collided": "collided decisions", "contacts": "contacts"}
 
 
 class Cell(NamedTuple):

@@ -97,7 +97,7 @@ def show(sections: Iterable[Section], console: Console) -> None:
     for sheet, reading in sections:
         table = Table(title=Text(sheet.title), title_justify="left", box=None, pad_edge=False, padding=(0, 2, 0, 0))
         for i, title in enumerate(sheet.header):
-            table.add_column(Text(title), justify="right" if i else "left", vertical="bottom")
+            table.add_column(Text(title), justify="right" if i else "left", no_wrap=not i)
         for row in sheet.rows:
             table.add_row(*map(Text, row))
         console.print(table)

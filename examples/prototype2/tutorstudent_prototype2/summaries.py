@@ -10,7 +10,7 @@ import numpy as np
 from scipy.special import stdtrit
 
 CONFIDENCE = 0.95
-INTERVALS = "95 % Student t interval of the mean"
+INTERVALS = "95 % interval of the mean after Student"
 """Which interval `Summary.low` and `Summary.high` are. Exact for normal runs; with one or two runs of many collisions
 among runs of none it is too wide, and the median beside it says more."""
 
