@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from joblib.externals.loky import get_reusable_executor
 
 from tutorstudent.core.registry import Registry
+from tutorstudent.study import Plan, Request, make_plan, read_pipelines
 
 FULL = """\
 decisions: 60
@@ -68,3 +70,28 @@ def files(tmp_path: Path) -> dict[str, Path]:
     for name, text in texts.items():
         (folder / f"{name}.yaml").write_text(text)
     return {name: folder / f"{name}.yaml" for name in texts}
+
+
+@pytest.fixture
+def planned(files: dict[str, Path], registry: Registry) -> Callable[..., Plan]:
+    """Makes the plan of a small study of some of the files, with a search."""
+
+    def plan(*names: str, **request: Any) -> Plan:
+        given = read_pipelines([files[name] for name in names or ("full",)], registry)
+        return make_plan(Request(given, **({"runs": 2, "decisions": 20, "search_runs": 1} | request)), registry)
+
+    return plan
+
+
+def results(folder: Path) -> dict[str, bytes]:
+    """Return every file of a study that is no timing and no report, by its path."""
+    paths = [
+        path
+        for name in ("plan.json", "results.csv", "runs", "search", "sketches")
+        for path in [folder / name, *(folder / name).rglob("*")]
+    ]
+    return {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in paths
+        if path.is_file() and path.name != "timing.json"
+    }

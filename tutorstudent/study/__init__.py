@@ -28,7 +28,7 @@ from tutorstudent.study.planfile import load_plan, save_plan
 from tutorstudent.study.planning import make_plan
 from tutorstudent.study.requests import Request, Setting, read_pipelines, read_setting, read_variation
 from tutorstudent.study.results import Failure, Run, Study, read_runs, read_study
-from tutorstudent.study.studies import run_study
+from tutorstudent.study.studies import run_plan, run_study
 
 if TYPE_CHECKING:
     from tutorstudent.study.report import write_report
@@ -54,6 +54,7 @@ __all__ = [
     "read_study",
     "read_variation",
     "run_jobs",
+    "run_plan",
     "run_study",
     "save_plan",
     "write_report",

@@ -18,14 +18,22 @@ from tutorstudent.study.plan import Job, Plan
 from tutorstudent.study.planfile import FILE, as_data, check_versions, load_plan, save_plan
 from tutorstudent.study.progress import shown
 from tutorstudent.study.resolving import reread, sketch_of
-from tutorstudent.study.results import Study, pending
+from tutorstudent.study.results import Study, pending, read_study
 from tutorstudent.study.searching import find_levels, keep_levels
 from tutorstudent.study.sketches import save_sketch
 from tutorstudent.study.timing import Sitting
 
 
 def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
-    """Run a plan as ``tutorstudent compare`` does, with its progress on standard error, and write its report.
+    """Run a plan as ``tutorstudent compare`` does: `run_plan`, then the tables and the page."""
+    from tutorstudent.study.report import write_report  # matplotlib is an extra
+
+    run_plan(plan, folder, workers, backend)
+    return write_report(folder)
+
+
+def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
+    """Run whatever a plan says, with its progress on standard error; write no report.
 
     Where the folder holds a study of the same plan, the study goes on: complete runs stay, all others are run. The
     results are the same, to the last byte, for any number of workers and interruptions; only the timing is not.
@@ -39,8 +47,6 @@ def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOK
     Raises:
         PipelineError: if the folder holds something else or cannot be written, or the backend is not there.
     """
-    from tutorstudent.study.report import write_report  # matplotlib is an extra
-
     check_backend(backend)
     begin(plan, folder)
     sitting, workforce = Sitting(folder, workers), (workers, backend)
@@ -52,7 +58,7 @@ def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOK
             keep_levels(plan, searched, folder)
         plan = settled(plan, searched)
     _run(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
-    return write_report(folder)
+    return read_study(folder, plan)
 
 
 def begin(plan: Plan, folder: Path) -> None:
