@@ -1,0 +1,21 @@
+"""Gymnasium both ways: its environments as worlds; the Pioneer and any pipeline as environments.
+
+The environments are in `tutorstudent.sims.gym.envs`; importing that registers them.
+"""
+
+from __future__ import annotations
+
+from tutorstudent.core.component import Component
+from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.sims.gym.conditions import InfoTrue, ObservationOutside, RewardBelow, Terminated
+from tutorstudent.sims.gym.spaces import box_action
+from tutorstudent.sims.gym.types import GymState
+from tutorstudent.sims.gym.world import GymnasiumWorld
+
+__all__ = ["GymState", "GymnasiumWorld", "InfoTrue", "ObservationOutside", "RewardBelow", "Terminated", "box_action"]
+
+
+@hookimpl
+def tutorstudent_components() -> list[type[Component]]:
+    """Return the world and the conditions on its states."""
+    return [GymnasiumWorld, RewardBelow, InfoTrue, ObservationOutside, Terminated]

@@ -1,0 +1,132 @@
+"""Stand-ins for the parts of an engine whose student is somebody else's learner."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from tutorstudent.core import component
+from tutorstudent.core.actions import Action, ActionT, rebuilt
+from tutorstudent.core.component import Binding, Component, Field, Part
+from tutorstudent.core.errors import ContractError
+from tutorstudent.core.interfaces import Amplifier, Student, Tutor
+from tutorstudent.core.leaves import Change, Encoder
+from tutorstudent.core.proposals import LevelProposal
+from tutorstudent.core.records import GradedAction, Lesson, Moment, StateT
+
+
+class Outside(Student[StateT, ActionT, LevelProposal]):
+    """Proposes the level that somebody else decided on; learns nothing itself."""
+
+    name = "outside"
+
+    class Options(component.Options):
+        """What the other learner sees."""
+
+        encoder: Part[Encoder[Any, Any]] = Field(description="the inputs that the other learner is shown")
+
+    level = 0
+    """The level of the next decision."""
+
+    @property
+    def proposal(self) -> type[Any]:
+        return LevelProposal
+
+    def propose(self, moment: Moment[StateT, ActionT]) -> LevelProposal:
+        return LevelProposal(level=self.level, ampbit=False)
+
+    def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
+        pass
+
+
+class Held(Amplifier[ActionT]):
+    """Raises nothing; a level moves a component as far as with the amplifier that it holds."""
+
+    name = "held"
+
+    class Options(component.Options):
+        """Whose amount and change."""
+
+        amplifier: Part[Amplifier[Any]] = Field(description="the amplifier that is not asked")
+
+    @property
+    def amount(self) -> float:
+        return float(self.options.amplifier.amount)
+
+    @property
+    def change(self) -> Change:
+        found: Change = self.options.amplifier.change
+        return found
+
+    def amplify(self, selected: GradedAction[ActionT], decision_number: int) -> GradedAction[ActionT]:
+        return selected
+
+
+class Ahead(Tutor[Any, Any]):
+    """A tutor that was asked before the engine asks: whoever chooses the level sees the tutor's action first.
+
+    The tutor inside is still called once per decision, in order, and stands where this one stands.
+    """
+
+    name = "ahead"
+
+    class Options(component.Options):
+        """Whom to ask."""
+
+        tutor: Part[Tutor[Any, Any]] = Field(description="the tutor")
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options)
+        self._tutor: Tutor[Any, Any] = self.options.tutor
+        self.action: type[Action] = self._tutor.action
+        self._said: Action | None = None
+        self._error: Exception | None = None
+
+    def parts(self) -> Iterator[tuple[str, Component]]:
+        """Yield nothing: the tutor is bound to this one's own slot, for the same random numbers as ever."""
+        yield from ()
+
+    def bind(self, binding: Binding) -> None:
+        super().bind(binding)
+        self._tutor.bind(binding)
+
+    def ask(self, state: Any, instead: Action | None) -> Action:
+        """Return a copy of the tutor's action for this state, which `act` will return.
+
+        Args:
+            state: The state now.
+            instead: What is executed if the tutor fails; without it, the failure is raised at once.
+        """
+        self._said = self._error = None
+        try:
+            said = self._tutor.act(state)
+            if type(said) is not self.action:
+                raise ContractError(
+                    f"tutor '{self._tutor.name}' returned {type(said).__name__}; expected {self.action.__name__}."
+                )
+            self._said = said
+            return rebuilt(said)
+        except Exception as error:
+            if instead is None:
+                raise
+            self._error = error
+            return rebuilt(instead)
+
+    def act(self, state: Any) -> Any:
+        if self._error is not None:
+            raise self._error
+        return self._said
+
+    @property
+    def situation(self) -> str:
+        return self._tutor.situation
+
+    def executed(self, action: Any) -> None:
+        self._tutor.executed(action)
+
+    def reset(self) -> None:
+        self._tutor.reset()
+
+    def close(self) -> None:
+        """Close the tutor."""
+        self._tutor.close()
