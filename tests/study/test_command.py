@@ -29,7 +29,18 @@ def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_pa
         files["full"], files["alone"], "--runs", 2, "--decisions", 30, "--out", out, "--set", "world.trial=10"
     )
     assert 0 == result.exit_code, result.output
-    names = {"plan.json", "sketches", "search", "runs", "sittings.json", "results.csv", "table.md", "report.html"}
+    names = {
+        "plan.json",
+        "sketches",
+        "search",
+        "runs",
+        "sittings.json",
+        "results.csv",
+        "differences.csv",
+        "table.md",
+        "tables.tex",
+        "report.html",
+    }
     assert names == {path.name for path in out.iterdir()}
     assert "2 runs each, mean ± standard deviation" in result.output
     assert "The page: " in result.output

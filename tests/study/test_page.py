@@ -17,9 +17,9 @@ from tutorstudent.study.maps import _way, level_scale, way_map
 from tutorstudent.study.page import page
 from tutorstudent.study.palette import Palette
 from tutorstudent.study.plan import Plan, Variant
-from tutorstudent.study.planning import Request, make_plan
+from tutorstudent.study.planning import make_plan
 from tutorstudent.study.report import write_report
-from tutorstudent.study.requests import read_pipelines, read_variation
+from tutorstudent.study.requests import Request, read_pipelines, read_variation
 from tutorstudent.study.results import Study
 from tutorstudent.study.sketches import load_sketch, save_sketch
 from tutorstudent.study.strips import strip
@@ -183,11 +183,8 @@ def test_no_two_of_ten_variants_share_a_colour() -> None:
         assert 10 == len(set(colours))
 
 
-def test_a_report_can_be_made_again_to_the_last_byte(first: Study, text: str) -> None:
-    again = page(first)
-    section = again.partition("<section id=")[2].partition("</section>")[0]
-    assert len(section) > 10_000
-    assert section in text
+def test_a_report_can_be_made_again_to_the_last_byte(study: Study, text: str) -> None:
+    assert text == page(study)
 
 
 def test_the_markdown_has_the_tables_of_every_environment(study: Study) -> None:

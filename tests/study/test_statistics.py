@@ -1,4 +1,4 @@
-"""Spreads against the standard library, intervals against scipy and against cases with one possible answer."""
+"""Spreads against the standard library, the interquartile mean against hand and scipy."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import statistics
 
 import numpy as np
 import pytest
-from scipy.stats import bootstrap
+from scipy.stats import trim_mean
 
-from tutorstudent.study.statistics import paired_difference, spread
+from tutorstudent.study.statistics import interquartile_mean, spread
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -27,49 +27,29 @@ def test_a_single_run_has_no_standard_deviation() -> None:
     assert math.isnan(spread([4.0]).sd)
 
 
-def test_an_interval_is_scipys_percentile_bootstrap() -> None:
-    rng = np.random.default_rng(3)
-    ours, theirs = rng.poisson(30, 12), rng.poisson(20, 12)
-    found = paired_difference(dict(enumerate(ours)), dict(enumerate(theirs)))
-    expected = bootstrap((ours - theirs,), np.mean, n_resamples=50_000, method="percentile", rng=rng)
-    assert found is not None
-    assert np.mean(ours - theirs) == pytest.approx(found.mean)
-    tolerance = 0.05 * expected.standard_error
-    assert expected.confidence_interval.low == pytest.approx(found.low, abs=4 * tolerance)
-    assert expected.confidence_interval.high == pytest.approx(found.high, abs=4 * tolerance)
+def test_no_run_has_no_spread() -> None:
+    with pytest.raises(ValueError, match="no run, no spread"):
+        spread([])
 
 
-def test_an_interval_covers_the_true_difference_about_as_often_as_it_says() -> None:
-    rng = np.random.default_rng(8)
-    covered = 0
-    for _ in range(100):
-        found = paired_difference(dict(enumerate(rng.normal(1.0, 1.0, 30))), dict.fromkeys(range(30), 0.0))
-        assert found is not None
-        covered += found.low <= 1.0 <= found.high
-    assert 88 <= covered <= 99
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        ([7.0], 7.0),
+        ([1.0, 2.0, 9.0], 4.0),  # a quarter of three runs is no whole run
+        ([9.0, 2.0, 3.0, 0.0], 2.5),
+        ([8.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 100.0], 4.5),  # 3, 4, 5, 6 are left
+        ([5.0] * 10, 5.0),
+    ],
+)
+def test_the_interquartile_mean_leaves_out_the_lowest_and_the_highest_quarter(
+    values: list[float], expected: float
+) -> None:
+    assert expected == interquartile_mean(values)
 
 
-def test_equal_differences_leave_no_doubt() -> None:
-    found = paired_difference({0: 5.0, 1: 7.0, 2: 9.0}, {0: 2.0, 1: 4.0, 2: 6.0})
-    assert found is not None
-    assert (3, 3.0, 3.0, 3.0) == tuple(found)
-
-
-def test_only_seeds_that_both_have_are_paired() -> None:
-    found = paired_difference({0: 5.0, 1: 7.0, 9: 100.0}, {0: 4.0, 1: 6.0, 8: 0.0})
-    assert found is not None
-    assert (2, 1.0) == (found.pairs, found.mean)
-    assert paired_difference({0: 1.0}, {1: 1.0}) is None
-
-
-def test_one_pair_has_a_difference_and_no_interval() -> None:
-    found = paired_difference({4: 5.0}, {4: 2.0})
-    assert found is not None
-    assert (1, 3.0) == (found.pairs, found.mean)
-    assert math.isnan(found.low)
-    assert math.isnan(found.high)
-
-
-def test_the_same_numbers_have_the_same_interval_again() -> None:
-    ours, theirs = {i: float(i * i % 7) for i in range(10)}, dict.fromkeys(range(10), 2.0)
-    assert paired_difference(ours, theirs) == paired_difference(dict(reversed(ours.items())), theirs)
+@pytest.mark.parametrize("runs", range(1, 24))
+def test_the_interquartile_mean_is_scipys_trimmed_mean(runs: int) -> None:
+    values = np.random.default_rng(runs).exponential(100, size=runs)
+    assert trim_mean(values, 0.25) == pytest.approx(interquartile_mean(values.tolist()))
+    assert interquartile_mean(values.tolist()) == spread(values.tolist()).middle

@@ -3,58 +3,70 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from html import unescape
 
 import pytest
 from rich.console import Console
 
-from tutorstudent.study.columns import heavy_tailed, number, typical
+from tests.study.made import made
+from tutorstudent.study.cells import heavy_tailed, number, probability, typical
 from tutorstudent.study.media import html, markdown, terminal
-from tutorstudent.study.plan import Environment, Plan, Variant
-from tutorstudent.study.results import Run, Study
-from tutorstudent.study.tables import Row, Table, runs_table, tables
+from tutorstudent.study.results import Failure, Study
+from tutorstudent.study.table import Row, Table
+from tutorstudent.study.tables import digest_table, runs_table, tables
 
-COUNTERS = {"attractors": "Prey Spin"}
 FOUND = {"alone": [8.0, 10.0, 12.0], "2A": [20.0, 30.0, 25.0], "ramp": [20.0, 22.0, 18.0]}
 COLLIDED = {"alone": [0.0, 0.0, 0.0], "2A": [4.0, 0.0, 305.0], "ramp": [1.0, 1.0, 1.0]}
 
 
-def study(reference: str = "alone", missing: tuple[str, int] | None = None) -> Study:
-    variants = tuple(Variant(name, "", name == "ramp", {}, COUNTERS) for name in FOUND)
-    environment = Environment("cave", variants, reference)
-    runs = [
-        Run("cave", name, seed, summary(name, seed), Path("nowhere"))
-        for name in FOUND
-        for seed in range(3)
-        if (name, seed) != missing
-    ]
-    return Study(Path("nowhere"), Plan((environment,), (0, 1, 2), 100), tuple(runs), ())
-
-
-def summary(name: str, seed: int) -> dict[str, float]:
+def columns(name: str) -> dict[str, list[float | None]]:
     return {
-        "attractors": FOUND[name][seed],
-        "collided": COLLIDED[name][seed],
-        "contacts": min(COLLIDED[name][seed], 3.0),
-        "violated": COLLIDED[name][seed],
-        "distance_m": 10.0 * FOUND[name][seed],
-        "longest_stall": COLLIDED[name][seed],
-        "time_s": 20.0 + seed,
-        "amplified_share": 0.25 * seed,
-        "mean_level": 3.0,
-        "incidents": float(seed),
+        "attractors": list(FOUND[name]),
+        "collided": list(COLLIDED[name]),
+        "contacts": [min(value, 3.0) for value in COLLIDED[name]],
+        "violated": list(COLLIDED[name]),
+        "distance_m": [10.0 * value for value in FOUND[name]],
+        "longest_stall": list(COLLIDED[name]),
+        "time_s": [20.0, 21.0, 22.0],
+        "decisions": [10_000.0] * 3,
+        "amplified_share": [0.0, 0.25, 0.5],
+        "mean_level": [3.0] * 3,
+        "incidents": [0.0, 1.0, 2.0],
     }
 
 
-def cell(made: Table, row: str, title: str) -> str:
-    return next(item for item in made.rows if item.name == row).cells[made.header.index(title)]
+def study(reference: str = "alone", missing: tuple[str, int] | None = None) -> Study:
+    whole = made({name: columns(name) for name in FOUND}, reference=reference)
+    return whole._replace(runs=tuple(run for run in whole.runs if (run.variant, run.seed) != missing))
 
 
-def test_what_was_found_is_mean_sd_and_median_with_the_paired_difference() -> None:
-    found, _, _ = tables(study(), study().plan.environments[0])
+def titled(study: Study, title: str) -> Table:
+    return next(table for table in tables(study, study.plan.environments[0]) if table.title == title)
+
+
+def cell(table: Table, row: str, title: str) -> str:
+    return next(item for item in table.rows if item.name == row).cells[table.header.index(title)]
+
+
+def test_the_tables_of_a_whole_study() -> None:
+    assert [
+        "What was found",
+        "What it cost",
+        "By way and by time",
+        "What the parts did",
+        "Does it harm more than the tutor alone?",
+        "Differences to the tutor alone: what was found",
+        "Differences to the tutor alone: what it cost",
+        "Differences to the controls: what was found",
+        "Differences to the controls: what it cost",
+    ] == [table.title for table in tables(study(), study().plan.environments[0])]
+
+
+def test_what_was_found_is_mean_sd_median_and_iqm_with_the_paired_difference() -> None:
+    found = titled(study(), "What was found")
     assert ("runs", "attractors", "difference", "distance, m") == found.header
-    assert "10.0 ± 2.0 (10)" == cell(found, "alone", "attractors")
-    assert "25.0 ± 5.0 (25)" == cell(found, "2A", "attractors")  # sd of 20, 30, 25 is 5
+    assert "10.0 ± 2.0 (10; IQM 10.0)" == cell(found, "alone", "attractors")
+    assert "25.0 ± 5.0 (25; IQM 25.0)" == cell(found, "2A", "attractors")  # sd of 20, 30, 25 is 5
     assert "-" == cell(found, "alone", "difference")
     # Differences of 2A are 12, 20, 13: mean 15; the interval lies between the least and the greatest of them.
     mean, low, high = map(float, re.findall(r"[-+]?\d+\.\d", cell(found, "2A", "difference")))
@@ -64,7 +76,7 @@ def test_what_was_found_is_mean_sd_and_median_with_the_paired_difference() -> No
 
 
 def test_what_it_cost_tells_the_worst_run_beside_the_mean() -> None:
-    _, cost, _ = tables(study(), study().plan.environments[0])
+    cost = titled(study(), "What it cost")
     # 4, 0 and 305: mean 103, sample sd sqrt((99^2 + 103^2 + 202^2) / 2) = 174.9...
     assert "103 ± 175 (4; max 305)" == cell(cost, "2A", "collisions, per decision")
     # 3, 0 and 3: mean 2, sample sd sqrt(3).
@@ -73,50 +85,162 @@ def test_what_it_cost_tells_the_worst_run_beside_the_mean() -> None:
     assert "+1.0 [+1.0, +1.0]" == cell(cost, "ramp", "difference")
 
 
+def test_rates_are_taken_run_by_run() -> None:
+    rates = titled(study(), "By way and by time")
+    # A tenth of an attractor for each metre in every run, so that the runs do not differ.
+    assert "10.0 ± 0" == cell(rates, "2A", "attractors per 100 m")
+    # 20 / 20 s, 30 / 21 s, 25 / 22 s: 1000, 1428.6 and 1136.4 in 1,000 s.
+    assert "1188 ± 219" == cell(rates, "2A", "attractors per 1,000 s")
+    # 4 / 200 m, 0 / 300 m, 305 / 250 m: 2, 0 and 122 on 100 m; the sum by the whole way would be 41.2.
+    assert "41.3 ± 69.9" == cell(rates, "2A", "collided decisions per 100 m")
+    assert {
+        f"{what} per {unit}"
+        for what in ("attractors", "collided decisions", "contacts", "violated")
+        for unit in ("100 m", "1,000 s")
+    } == set(rates.header[1:])
+
+
+def test_a_run_without_way_has_no_rate_and_the_cell_says_of_how_many_it_is() -> None:
+    halted = study()
+    halted.runs[3].summary["distance_m"] = 0.0
+    assert "10.0 ± 0 (2 of 3 runs)" == cell(titled(halted, "By way and by time"), "2A", "attractors per 100 m")
+    for run in halted.runs[3:6]:
+        run.summary["distance_m"] = 0.0
+    assert "-" == cell(titled(halted, "By way and by time"), "2A", "attractors per 100 m")
+
+
 def test_what_the_parts_did() -> None:
-    _, _, parts = tables(study(), study().plan.environments[0])
+    whole = study()
+    for run in whole.runs[3:6]:
+        run.summary["match_rate"] = 0.5
+    parts = titled(whole, "What the parts did")
+    assert "50 %" == cell(parts, "2A", "named the tutor's kind (mean)")
+    assert "-" == cell(parts, "ramp", "named the tutor's kind (mean)")
     assert "25 %" == cell(parts, "2A", "amplified (mean)")
     assert "3.0" == cell(parts, "2A", "mean level")
     assert "3" == cell(parts, "2A", "incidents (sum)")
     assert "21.0" == cell(parts, "2A", "simulated time, s (mean)")
 
 
-def test_without_the_tutor_alone_there_is_no_difference() -> None:
-    made = study(reference="")
-    assert all("difference" not in table.header for table in tables(made, made.plan.environments[0]))
+def test_differences_to_the_tutor_alone() -> None:
+    table = titled(study(), "Differences to the tutor alone: what was found")
+    assert ["2A", "ramp", "2A", "ramp"] == [row.name for row in table.rows]
+    learner, control, by_way, _ = (row.cells for row in table.rows)
+    assert ("alone", "attractors", "3") == learner[:3]
+    assert learner[3].startswith("+15.0 [")
+    # Pearson of 8, 10, 12 with 20, 30, 25 is 0.5; three of three are better; 2 of 8 signs lie as far out; two tests.
+    assert ("0.50", "100 % [44, 100]", "0.25", "0.50") == learner[4:]
+    assert ("100 % [44, 100]", "-", "-") == control[5:]
+    # Both find an attractor every ten metres: no difference, no correlation, ties, no evidence.
+    assert ("attractors per 100 m", "3", "0 [0, 0]", "-", "50 % [13, 87]", "1.00", "1.00") == by_way[1:]
+    assert "corrected for the 2 tests of this table" in table.note
+    assert "Nothing is claimed of controls" in table.note
+    assert "No p can get below 0.05 after Holm with 3 pairs; it takes 7." in table.note
+
+
+def test_differences_to_the_controls() -> None:
+    table = titled(study(), "Differences to the controls: what was found")
+    assert [("2A", "ramp", "attractors"), ("2A", "ramp", "attractors per 100 m")] == [
+        (row.name, *row.cells[:2]) for row in table.rows
+    ]
+    assert table.rows[0].cells[3].startswith("+5.0 [")
+    # 20 - 20, 30 - 22, 25 - 18: a tie and two wins.
+    assert table.rows[0].cells[5].startswith("83 % [")
+    assert "Nothing is claimed of controls" not in table.note
+
+
+def test_enough_pairs_are_not_complained_about() -> None:
+    many = made({"alone": {"attractors": [float(i) for i in range(8)]}, "2A": {"attractors": [9.0] * 8}})
+    (table,) = (table for table in tables(many, many.plan.environments[0]) if "Differences" in table.title)
+    assert "No p can get below" not in table.note
+    assert ("0.008", "0.008") == table.rows[0].cells[6:]
+
+
+def test_the_verdict_on_harm_states_its_margin() -> None:
+    table = titled(study(), "Does it harm more than the tutor alone?")
+    assert ["2A", "ramp"] == [row.name for row in table.rows]
+    assert ("1.0", "+1.0 [+1.0, +1.0]", "+10", "not worse") == table.rows[1].cells
+    assert "undecided" == table.rows[0].cells[-1]
+    assert "margin of 10 in 10,000 decisions" in table.note
+
+
+def test_without_the_tutor_alone_there_is_no_difference_to_it() -> None:
+    alone_missing = study(reference="")
+    found = tables(alone_missing, alone_missing.plan.environments[0])
+    assert all("difference" not in table.header for table in found[:4])
+    assert not [table for table in found if "tutor alone" in table.title]
 
 
 def test_a_run_that_is_missing_is_counted_and_not_paired() -> None:
-    made = study(missing=("2A", 1))
-    found, _, _ = tables(made, made.plan.environments[0])
+    found = titled(study(missing=("2A", 1)), "What was found")
     assert "2" == cell(found, "2A", "runs")
-    assert "22.5 ± 3.5 (22.5)" == cell(found, "2A", "attractors")
-    assert cell(found, "2A", "difference").startswith("+12.5 ")
+    assert "22.5 ± 3.5 (22.5; IQM 22.5)" == cell(found, "2A", "attractors")
+    assert "+12.5 (2 pairs)" == cell(found, "2A", "difference")
+
+
+def test_a_variant_with_failed_runs_says_how_many() -> None:
+    failed = study(missing=("2A", 1))._replace(failures=(Failure("cave", "2A", 1, "it broke"),))
+    assert "2 (1 failed)" == cell(titled(failed, "What was found"), "2A", "runs")
+    assert "3" == cell(titled(failed, "What was found"), "ramp", "runs")
+
+
+def test_a_variant_of_which_nothing_ran_is_a_row_of_dashes() -> None:
+    failures = tuple(Failure("cave", "2A", seed, "it broke") for seed in range(3))
+    failed = study()._replace(failures=failures)
+    failed = failed._replace(runs=tuple(run for run in failed.runs if run.variant != "2A"))
+    found = titled(failed, "What was found")
+    assert ("0 (3 failed)", "-", "-", "-") == next(row.cells for row in found.rows if row.name == "2A")
 
 
 def test_a_number_that_some_runs_do_not_have_is_said_to_be_of_the_others() -> None:
-    made = study()
-    del made.runs[3].summary["attractors"]
-    found, _, _ = tables(made, made.plan.environments[0])
-    assert "27.5 ± 3.5 (27.5) (2 of 3 runs)" == cell(found, "2A", "attractors")
+    whole = study()
+    del whole.runs[3].summary["attractors"]
+    assert "27.5 ± 3.5 (27.5; IQM 27.5) (2 of 3 runs)" == cell(titled(whole, "What was found"), "2A", "attractors")
+    whole.runs[4].summary["attractors"] = float("nan")
+    assert "25.0 ± - (25; IQM 25.0) (1 of 3 runs)" == cell(titled(whole, "What was found"), "2A", "attractors")
+    assert "+13.0 (one pair)" == cell(titled(whole, "What was found"), "2A", "difference")
 
 
 def test_what_no_run_knows_is_no_column() -> None:
-    made = study()
-    for run in made.runs:
-        del run.summary["collided"], run.summary["contacts"]
-    _, cost, _ = tables(made, made.plan.environments[0])
+    whole = study()
+    for run in whole.runs:
+        del run.summary["collided"], run.summary["contacts"], run.summary["distance_m"]
+    cost = titled(whole, "What it cost")
     assert "collisions, per decision" not in cost.header
     assert "violated, as the learner saw it" in cost.header
+    assert ("attractors per 1,000 s", "violated per 1,000 s") == titled(whole, "By way and by time").header[1:]
+    assert "violated decisions per 10,000" in titled(whole, "Does it harm more than the tutor alone?").header
+
+
+def test_a_world_without_way_and_time_has_no_table_of_rates() -> None:
+    whole = study()
+    for run in whole.runs:
+        del run.summary["distance_m"], run.summary["time_s"]
+    assert "By way and by time" not in [table.title for table in tables(whole, whole.plan.environments[0])]
+
+
+def test_a_study_of_which_nothing_ran_has_no_table() -> None:
+    nothing = study()._replace(runs=())
+    assert [] == tables(nothing, nothing.plan.environments[0])
 
 
 def test_every_run_is_a_row() -> None:
-    made = study()
-    every = runs_table(made, made.plan.environments[0])
+    whole = study()
+    every = runs_table(whole, whole.plan.environments[0])
     assert [(name, str(seed)) for name in FOUND for seed in range(3)] == [
         (row.name, row.cells[0]) for row in every.rows
     ]
     assert ["8", "10", "12", "20", "30", "25", "20", "22", "18"] == [row.cells[1] for row in every.rows]
+    assert {"10"} == {row.cells[every.header.index("attractors per 100 m")] for row in every.rows}
+
+
+def test_the_digest_fits_a_terminal() -> None:
+    digest = digest_table(study(), study().plan.environments[0])
+    assert ("attractors", "collided", "contacts", "way, m", "stall", "level") == digest.header
+    console = Console(width=80)
+    with console.capture() as capture:
+        console.print(terminal(digest))
+    assert 3 + 2 == len(capture.get().splitlines())
 
 
 @pytest.mark.parametrize(
@@ -131,7 +255,14 @@ def test_one_run_has_a_mean_and_no_spread() -> None:
     assert "4.0 ± - (4; max 4)" == heavy_tailed([4.0])
 
 
-HOSTILE = Table("<b>|title", ("a|b", "<i>"), (Row("x<y|[red]z", False, ("1", "<2>")), Row("c", True, ("-", "[/]"))))
+@pytest.mark.parametrize(("p", "text"), [(0.0009, "< 0.001"), (0.001, "0.001"), (0.0999, "0.100"), (0.1, "0.10")])
+def test_a_p_is_never_written_as_0(p: float, text: str) -> None:
+    assert text == probability(p)
+
+
+HOSTILE = Table(
+    "<b>|title", ("a|b", "<i>"), (Row("x<y|[red]z", False, ("1", "<2>")), Row("c", True, ("-", "[/]"))), "<p>|note"
+)
 
 
 def test_markdown_keeps_hostile_names_in_their_cells() -> None:
@@ -147,6 +278,8 @@ def test_html_escapes_hostile_names() -> None:
     assert "x&lt;y|[red]z" in text
     assert "&lt;2&gt;" in text
     assert "<b>" not in text
+    assert "<p>|note" not in text
+    assert "<p>|note" in unescape(text)
 
 
 def test_the_terminal_shows_names_as_they_are() -> None:

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from tutorstudent.core.component import Component
 from tutorstudent.core.engine import Engine
+from tutorstudent.core.proposals import KindProposal
 from tutorstudent.core.records import Turn
 from tutorstudent.core.world import Step, Summary, World
 
@@ -56,20 +57,27 @@ class Tally(Observer):
         sums["level"] += decision.resulting.level
         sums["taught"] += turn.lesson is not None
         sums["incidents"] += len(turn.incidents)
-        kind = getattr(decision.proposal, "kind", None)
-        sums["matched"] += kind == decision.moment.tutor_action.kind
+        if isinstance(decision.proposal, KindProposal):
+            sums["naming"] += 1
+            sums["matched"] += decision.proposal.kind == decision.moment.tutor_action.kind
         self._situations[decision.moment.situation] += 1
         if turn.outcome is not None:
             sums["violated"] += bool(turn.outcome.violated)
             self._violated.update(turn.outcome.violated)
 
     def summary(self) -> Mapping[str, float]:
-        """Return counts, the mean level, and the share of decisions spent in each situation."""
+        """Return counts, the mean level, and the share of decisions spent in each situation.
+
+        ``match_rate`` is the share of decisions in which the student named the tutor's kind; a student that proposes
+        levels only has none.
+        """
         decisions = max(1, self._sums["decisions"])
+        matched = {"match_rate": self._sums["matched"] / decisions} if self._sums["naming"] else {}
         counts = {key: float(self._sums[key]) for key in ("decisions", "violated", "amplified", "taught", "incidents")}
         return (
             counts
-            | {"mean_level": self._sums["level"] / decisions, "match_rate": self._sums["matched"] / decisions}
+            | {"mean_level": self._sums["level"] / decisions}
+            | matched
             | {f"violated:{name}": float(count) for name, count in sorted(self._violated.items())}
             | {f"share:{name}": count / decisions for name, count in sorted(self._situations.items()) if name}
         )

@@ -6,7 +6,7 @@ from importlib.util import find_spec
 
 from tutorstudent.core.errors import PipelineError
 
-STUDY = ("joblib", "matplotlib")
+STUDY = ("joblib", "matplotlib", "scipy")
 
 
 def check_extras(modules: tuple[str, ...] = STUDY) -> None:

@@ -8,7 +8,7 @@ from html import escape
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from tutorstudent.study.tables import Table
+from tutorstudent.study.table import Table
 
 
 def markdown(table: Table) -> str:
@@ -17,11 +17,12 @@ def markdown(table: Table) -> str:
     lines = [header, ["---", *("---:" for _ in table.header)]]
     lines += [[f"*{row.name}*" if row.control else f"**{row.name}**", *row.cells] for row in table.rows]
     body = "\n".join("| " + " | ".join(cell.replace("|", r"\|") for cell in line) + " |" for line in lines)
-    return f"**{table.title}**\n\n{body}\n"
+    note = f"\n{table.note}\n" if table.note else ""
+    return f"**{table.title}**\n\n{body}\n{note}"
 
 
 def html(table: Table, colours: Mapping[str, str]) -> str:
-    """Return a table as HTML; `colours` has a CSS colour for each variant."""
+    """Return a table with its note as HTML; `colours` has a CSS colour for each variant."""
     head = "".join(f'<th scope="col">{escape(title)}</th>' for title in table.header)
     rows = []
     for row in table.rows:
@@ -29,9 +30,10 @@ def html(table: Table, colours: Mapping[str, str]) -> str:
         cells = "".join(f"<td>{escape(cell)}</td>" for cell in row.cells)
         kind = ' class="control"' if row.control else ""
         rows.append(f'<tr{kind}><th scope="row">{swatch}{escape(row.name)}</th>{cells}</tr>')
+    note = f'\n<p class="note">{escape(table.note)}</p>' if table.note else ""
     return (
         f'<div class="scroll" tabindex="0" role="region" aria-label="{escape(table.title)}"><table>'
-        f"<thead><tr><td></td>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table></div>"
+        f"<thead><tr><td></td>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table></div>{note}"
     )
 
 

@@ -1,31 +1,47 @@
-"""From the folder of a study to its table and its page; nothing is run."""
+"""From the folder of a study to its tables and its page; nothing is run."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from tutorstudent.study.comparisons import families
+from tutorstudent.study.latex import document
 from tutorstudent.study.media import markdown
 from tutorstudent.study.page import page
 from tutorstudent.study.planfile import load_plan
 from tutorstudent.study.results import Study, read_study, write_csv
+from tutorstudent.study.table import Table
 from tutorstudent.study.tables import CONTROLS, INTERVALS, tables
+from tutorstudent.study.tidy import write_differences
 
 CSV = "results.csv"
+DIFFERENCES = "differences.csv"
 MARKDOWN = "table.md"
+LATEX = "tables.tex"
 PAGE = "report.html"
 
 
 def write_report(folder: Path) -> Study:
-    """Write `CSV`, `MARKDOWN` and `PAGE` from what is on disk, and return it.
+    """Write `CSV`, `DIFFERENCES`, `MARKDOWN`, `LATEX` and `PAGE` from what is on disk, and return it.
+
+    The same folder has the same files again, to the last byte.
 
     Raises:
         PipelineError: if the folder holds no plan.
     """
     study = read_study(folder, load_plan(folder))
     write_csv(folder / CSV, study.runs)
-    parts = [CONTROLS, INTERVALS]
-    for environment in study.plan.environments:
-        parts += [f"## {environment.name}", *(markdown(table) for table in tables(study, environment))]
-    (folder / MARKDOWN).write_text("\n\n".join(parts), encoding="utf-8")
+    write_differences(folder / DIFFERENCES, families(study))
+    made = {environment.name: tables(study, environment) for environment in study.plan.environments}
+    (folder / MARKDOWN).write_text(_markdown(made), encoding="utf-8")
+    (folder / LATEX).write_text(document(made.items()), encoding="utf-8")
     (folder / PAGE).write_text(page(study), encoding="utf-8")
     return study
+
+
+def _markdown(made: Mapping[str, Iterable[Table]]) -> str:
+    parts = [CONTROLS, INTERVALS]
+    for title, found in made.items():
+        parts += [f"## {title}", *map(markdown, found)]
+    return "\n\n".join(parts)

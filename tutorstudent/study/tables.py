@@ -3,48 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
-from tutorstudent.study.columns import NOTHING, Column, conduct, cost, difference, digest, found
-from tutorstudent.study.plan import Environment
+from tutorstudent.study.cells import NOTHING, difference
+from tutorstudent.study.columns import Column, conduct, cost, digest, found, rates
+from tutorstudent.study.difference_tables import difference_tables, verdict_tables
+from tutorstudent.study.measures import Measure
+from tutorstudent.study.pairs import paired
+from tutorstudent.study.plan import Environment, Variant
 from tutorstudent.study.results import Run, Study
-from tutorstudent.study.statistics import paired_difference
-
-
-class Row(NamedTuple):
-    """A variant with its cells."""
-
-    name: str
-    control: bool
-    cells: tuple[str, ...]
-
-
-class Table(NamedTuple):
-    """A table as text; how it is drawn is the medium's affair."""
-
-    title: str
-    header: tuple[str, ...]
-    rows: tuple[Row, ...]
-
+from tutorstudent.study.table import Row, Table
 
 CONTROLS = (
     "A control learns nothing or is told nothing. Driving faster finds more attractors whether or not anything was "
     "learned, so a variant has shown what learning is worth only where it beats its controls, not the tutor alone."
 )
 INTERVALS = (
-    "Cells are mean ± standard deviation over runs (median). Differences are to the tutor alone, run by run on the "
-    "same seed, with a 95 % percentile bootstrap interval over pairs (10,000 resamples); such an interval "
-    "is too narrow for fewer than about ten pairs."
+    "Cells are mean ± standard deviation over runs (median; IQM: mean of the middle half). Differences are taken run "
+    "by run on the same seed, with a 95 % BCa bootstrap interval over pairs (10,000 resamples); such an interval is "
+    "too narrow for fewer than about ten pairs, and there is none for fewer than three. Rates are taken run by run, "
+    "then over runs."
 )
 
 
 def tables(study: Study, environment: Environment) -> list[Table]:
-    """Return what was found, what it cost, and what the parts did."""
-    return [
-        _table(study, environment, "What was found", found(environment.counters())),
+    """Return what was found, what it cost and what the parts did, then what is compared to what."""
+    counters = environment.counters()
+    described = [
+        _table(study, environment, "What was found", found(counters)),
         _table(study, environment, "What it cost", cost()),
+        _table(study, environment, "By way and by time", rates(counters)),
         _table(study, environment, "What the parts did", conduct()),
     ]
+    compared = [*verdict_tables(study, environment), *difference_tables(study, environment)]
+    return [table for table in described if len(table.header) > 1] + compared
 
 
 def digest_table(study: Study, environment: Environment) -> Table:
@@ -56,55 +47,57 @@ def digest_table(study: Study, environment: Environment) -> Table:
 
 def runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
-    columns = [*found(environment.counters()), *cost(), *conduct()]
+    counters = environment.counters()
+    columns = [*found(counters), *cost(), *rates(counters), *conduct()]
     there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column for column in columns if any(column.key in run.summary for run in there)]
+    shown = [column.measure for column in columns if column.measure.known(there)]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_alone(run, column.key) for column in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_alone(run, measure) for measure in shown)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
-    header = ("seed", *(column.title.partition(" (")[0] for column in shown))
+    header = ("seed", *(measure.title.partition(" (")[0] for measure in shown))
     return Table("Every run", header, tuple(rows))
 
 
 def _table(study: Study, environment: Environment, title: str, columns: Sequence[Column]) -> Table:
-    rows = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    shown = [column for column in columns if any(column.key in run.summary for runs in rows.values() for run in runs)]
-    compared = bool(environment.reference)
+    there = [run for run in study.runs if run.environment == environment.name]
+    shown = [column for column in columns if column.measure.known(there)]
     header = ["runs"]
     for column in shown:
-        header += [column.title, "difference"] if column.compared and compared else [column.title]
-    return Table(
-        title,
-        tuple(header),
-        tuple(
-            Row(
-                variant.name,
-                variant.control,
-                (str(len(rows[variant.name])), *_cells(rows[variant.name], rows.get(environment.reference), shown)),
-            )
-            for variant in environment.variants
-        ),
-    )
+        is_compared = column.compared and environment.reference
+        header += [column.measure.title, "difference"] if is_compared else [column.measure.title]
+    rows = [_row(study, environment, variant, shown) for variant in environment.variants]
+    return Table(title, tuple(header), tuple(rows))
 
 
-def _cells(runs: Sequence[Run], reference: Sequence[Run] | None, columns: Sequence[Column]) -> list[str]:
-    cells = []
+def _row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
+    runs, cells = study.of(environment.name, variant.name), [_runs(study, environment, variant.name)]
+    reference = study.of(environment.name, environment.reference)
     for column in columns:
-        values = _by_seed(runs, column.key)
-        missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
-        cells.append(column.cell(list(values.values())) + missing if values else NOTHING)
-        if column.compared and reference is not None:
-            itself = runs == reference
-            theirs = _by_seed(reference, column.key)
-            cells.append(NOTHING if itself else difference(paired_difference(values, theirs)))
-    return cells
+        cells.append(_cell(runs, column))
+        if column.compared and environment.reference:
+            itself = variant.name == environment.reference
+            cells.append(NOTHING if itself else _difference(runs, reference, column.measure))
+    return Row(variant.name, variant.control, tuple(cells))
 
 
-def _by_seed(runs: Sequence[Run], key: str) -> dict[int, float]:
-    return {run.seed: run.summary[key] for run in runs if key in run.summary}
+def _runs(study: Study, environment: Environment, variant: str) -> str:
+    failed = sum((item.environment, item.variant) == (environment.name, variant) for item in study.failures)
+    return f"{len(study.of(environment.name, variant))}" + (f" ({failed} failed)" if failed else "")
 
 
-def _alone(run: Run, key: str) -> str:
-    return f"{run.summary[key]:.6g}" if key in run.summary else NOTHING
+def _cell(runs: Sequence[Run], column: Column) -> str:
+    values = column.measure.by_seed(runs)
+    missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
+    return column.cell(list(values.values())) + missing if values else NOTHING
+
+
+def _difference(runs: Sequence[Run], reference: Sequence[Run], measure: Measure) -> str:
+    pairs = paired(measure.by_seed(runs), measure.by_seed(reference))
+    return difference(pairs.difference() if pairs else None)
+
+
+def _alone(run: Run, measure: Measure) -> str:
+    value = measure.of(run.summary)
+    return NOTHING if value is None else f"{value:.6g}"
