@@ -22,6 +22,7 @@ from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.settings import read_settings
 from tutorstudent.progress import ProgressBar
 from tutorstudent.study.command import compare, report
+from tutorstudent.templates.command import new
 
 app = typer.Typer(
     name="tutorstudent",
@@ -35,6 +36,7 @@ app.add_typer(plugins, name="plugins")
 app.command()(compare)
 app.command()(report)
 plugins.command("check")(check)
+plugins.command("new")(new)
 
 PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[

@@ -1,0 +1,1 @@
+"""New plugins from templates: `tutorstudent plugins new`. The templates themselves stand in `files`."""

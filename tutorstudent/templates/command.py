@@ -1,0 +1,34 @@
+"""`tutorstudent plugins new`: a plugin that works, to begin from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tutorstudent.core.registry import ROLES, Registry
+from tutorstudent.templates.naming import names_of
+from tutorstudent.templates.writing import write_plugin
+
+
+def new(
+    role: Annotated[str, typer.Argument(help=f"what it is: {', '.join(ROLES)}")],
+    name: Annotated[str, typer.Argument(help="what pipelines call it, such as wall-follower")],
+    out: Annotated[
+        Path | None, typer.Option(help="folder of the new package; default: its name", show_default=False)
+    ] = None,
+) -> None:
+    """Write a package with a small working part, its tests and a pipeline, ready to be installed."""
+    names = names_of(role, name, Registry.discover())
+    folder = out or Path(names.name)
+    for path in write_plugin(names, folder):
+        typer.echo(f"wrote {path}")
+    typer.echo(
+        "next:\n"
+        f"  cd {folder}\n"
+        "  pip install --no-build-isolation --no-deps -e .      (needs hatchling; with a network: pip install -e .)\n"
+        "  python -m pytest\n"
+        f"  tutorstudent plugins check {names.name}\n"
+        "  tutorstudent compare pipeline.yaml --runs 2 --decisions 1000 --out studies/first"
+    )

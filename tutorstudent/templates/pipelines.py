@@ -1,0 +1,41 @@
+"""The example pipeline of a new plugin: the part in its slot, shipped parts in all others."""
+
+from __future__ import annotations
+
+PLAIN = {
+    "world": "{use: pioneer, scene: cave-box}",
+    "tutor": "prototype2",
+    "student": "{use: backprop, encoder: prototype2-bits, codec: kind-level-ampbit}",
+    "selector": "same-kind",
+    "amplifier": "{use: learning-phase, decisions: 500}",
+    "evaluator": "conditions",
+    "conditions": "[bumped]",
+    "observers": "[]",
+}
+"""Every slot, where the new part is none of it."""
+
+_LEVELS = {"selector": "modifier"}
+
+WITH: dict[str, dict[str, str]] = {
+    "tutor": {"tutor": "$name"},
+    "student": {"student": "$name"} | _LEVELS,
+    "selector": {"selector": "$name"},
+    "amplifier": {"amplifier": "$name"},
+    "evaluator": {"evaluator": "$name"},
+    "world": {"world": "$name"},
+    "encoder": {"student": "{use: backprop, encoder: $name, codec: kind-level-ampbit}"},
+    "codec": {"student": "{use: backprop, encoder: prototype2-bits, codec: $name}"} | _LEVELS,
+    "change": {"amplifier": "{use: learning-phase, decisions: 500, change: $name}"},
+    "condition": {"conditions": "[$name]"},
+    "observer": {"observers": "[$name]"},
+}
+"""What differs, by the role of the new part."""
+
+
+def slots(role: str, name: str) -> dict[str, str]:
+    """Return every slot of a pipeline that uses the part, as YAML.
+
+    >>> slots("tutor", "wall-follower")["tutor"]
+    'wall-follower'
+    """
+    return PLAIN | {slot: value.replace("$name", name) for slot, value in WITH[role].items()}

@@ -1,0 +1,66 @@
+"""Writes a new plugin: a package that can be installed, with a working part, its tests and a pipeline."""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+from string import Template
+
+import tutorstudent
+from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.rundir import writing
+from tutorstudent.templates.naming import Names
+from tutorstudent.templates.pipelines import slots
+
+SUFFIX = ".in"
+
+
+def write_plugin(names: Names, out: Path) -> list[Path]:
+    """Write the plugin's files into a folder, and return them.
+
+    Args:
+        names: What it is called.
+        out: The folder; it must be new or empty.
+
+    Raises:
+        PipelineError: if the folder is not, or cannot be written.
+    """
+    with writing(out):
+        if out.exists() and (not out.is_dir() or any(out.iterdir())):
+            raise PipelineError(f"{out}: there is something of that name already; give another folder with --out.")
+        return [_write(out / path, text) for path, text in contents(names).items()]
+
+
+def contents(names: Names) -> dict[str, str]:
+    """Return the plugin's files by path."""
+    role, module = names.role, names.module
+    sources = {
+        "pyproject.toml": "common/pyproject.toml",
+        "README.md": "common/README.md",
+        ".gitignore": "common/gitignore",
+        "pipeline.yaml": "common/pipeline.yaml",
+        f"{module}/__init__.py": "common/init.py",
+        f"{module}/{role}.py": f"{role}/part.py",
+        f"tests/test_{module}.py": f"{role}/test.py",
+    }
+    values = _values(names)
+    return {path: Template(_text(source)).substitute(values) for path, source in sources.items()} | {
+        f"{module}/py.typed": ""
+    }
+
+
+def _values(names: Names) -> dict[str, str]:
+    article = "an" if names.role[0] in "aeiou" else "a"
+    words = {"article": article, "article_upper": article.capitalize(), "version": tutorstudent.__version__}
+    return slots(names.role, names.name) | names._asdict() | words
+
+
+def _text(source: str) -> str:
+    file = resources.files(tutorstudent).joinpath("templates", "files", *f"{source}{SUFFIX}".split("/"))
+    return file.read_text(encoding="utf-8")
+
+
+def _write(path: Path, text: str) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return path
