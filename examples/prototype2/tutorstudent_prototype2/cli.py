@@ -15,6 +15,7 @@ from tutorstudent_prototype2 import thesis
 from tutorstudent_prototype2.calibration.command import app as calibration
 from tutorstudent_prototype2.heldout import heldout
 from tutorstudent_prototype2.intervals import intervals
+from tutorstudent_prototype2.pipelines import ENVIRONMENTS
 from tutorstudent_prototype2.reproduce import reproduce
 from tutorstudent_prototype2.running import known_scenes
 from tutorstudent_prototype2.sheets import Section, show
@@ -30,6 +31,7 @@ app = typer.Typer(
 )
 app.add_typer(calibration, name="calibration")
 
+ALL = ",".join(ENVIRONMENTS)
 Runs = Annotated[int, typer.Option(min=1, help="Runs of everything; run i has the seed i.")]
 Decisions = Annotated[int, typer.Option(min=10, help="Decisions of a run.")]
 Workers = Annotated[int, typer.Option(min=1, help="Processes; the results are the same for any number.")]
@@ -42,10 +44,11 @@ def reproduce_command(
     runs: Runs = thesis.RUNS,
     decisions: Decisions = thesis.DECISIONS,
     workers: Workers = 1,
+    scenes: Scenes = ALL,
     out: Out = Path("studies/reproduce"),
 ) -> None:
     """Tables 2 to 9 beside ours: prototype 2, 2A and controls in four environments."""
-    study, sections = reproduce(runs, decisions, workers, out)
+    study, sections = reproduce(known_scenes(scenes), runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
 
 

@@ -7,6 +7,7 @@ raises levels whether or not anybody learns from it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -87,7 +88,7 @@ def _row(name: str, runs: dict[str, list[Run]]) -> list[str]:
     if not mine:
         return [NOTHING] * (len(HEADER) - 1)
     found = {
-        key: summarize([run.summary[key] for run in mine])
+        key: summarize([run.summary.get(key, math.nan) for run in mine])
         for key in ("attractors", "collided", "match_rate", "mean_level", "taught")
     }
     return [
@@ -95,7 +96,7 @@ def _row(name: str, runs: dict[str, list[Run]]) -> list[str]:
         NOTHING if name == NEVER else difference(_more(runs, name, NEVER)),
         NOTHING if name == WHOLE else difference(_more(runs, name, WHOLE)),
         spread(*found["collided"][1:3]),
-        NOTHING if name == ALONE else number(100 * found["match_rate"].mean),
+        number(100 * found["match_rate"].mean),
         number(found["mean_level"].mean),
         NOTHING if name == ALONE else f"{found['taught'].mean:.0f}",
     ]
@@ -106,7 +107,9 @@ def reading(runs: dict[str, list[Run]]) -> list[str]:
     whole = _more(runs, WHOLE, NEVER)
     if whole is None or not _shown(whole):
         return ["Teaching throughout has not shown to differ from never teaching: there is no learning to divide."]
-    said = [f"Teaching throughout is worth {signed(whole.mean)} attractors over never teaching. Of that:"]
+    said = [
+        f"Teaching throughout is worth {signed(whole.mean)} attractors over never. Of that (each at 95 % by itself):"
+    ]
     for name in runs:
         more = None if name in (ALONE, NEVER, WHOLE) else _more(runs, name, NEVER)
         if more is not None:

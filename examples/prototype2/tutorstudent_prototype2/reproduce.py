@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from tutorstudent.study import Study, run_study
 from tutorstudent_prototype2.calibration.command import LOOKS
 from tutorstudent_prototype2.contrast import contrasts
-from tutorstudent_prototype2.pipelines import ENVIRONMENTS, NAMES, load_all
+from tutorstudent_prototype2.pipelines import NAMES, load_all
 from tutorstudent_prototype2.reproduction import lines, sections
 from tutorstudent_prototype2.running import plan_of
 from tutorstudent_prototype2.sheets import Section, Sheet, markdown, write_csv
@@ -16,14 +17,13 @@ MARKDOWN, CSV = "reproduction.md", "reproduction.csv"
 HEADING = "Chapter 4, the thesis's numbers beside ours"
 
 
-def reproduce(runs: int, decisions: int, workers: int, out: Path) -> tuple[Study, list[Section]]:
+def reproduce(scenes: Sequence[str], runs: int, decisions: int, workers: int, out: Path) -> tuple[Study, list[Section]]:
     """Run what has not been run yet, and write `MARKDOWN` and `CSV` beside the study's own report.
 
     Raises:
         PipelineError: The folder holds another study, or cannot be written.
     """
-    pipelines = load_all(NAMES, ENVIRONMENTS[0])
-    study = run_study(plan_of(pipelines, ENVIRONMENTS, runs, decisions, controls=True), out, workers)
+    study = run_study(plan_of(load_all(NAMES, scenes[0]), scenes, runs, decisions, controls=True), out, workers)
     found = [*sections(study.runs), *contrasts(study), cost(study)]
     (out / MARKDOWN).write_text(markdown(found, HEADING), encoding="utf-8")
     write_csv(out / CSV, lines(study.runs))

@@ -40,16 +40,16 @@ def number(value: float) -> str:
     """
     if not math.isfinite(value):
         return NOTHING
-    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.1f}"
+    return f"{value:.0f}" if abs(value) >= 100 else f"{round(value, 1) + 0.0:.1f}"  # no minus before a zero
 
 
 def signed(value: float) -> str:
     """Return a difference.
 
-    >>> [signed(value) for value in (2.04, -3.0, float("nan"))]
-    ['+2.0', '-3.0', '-']
+    >>> [signed(value) for value in (2.04, -3.0, -0.04, float("nan"))]
+    ['+2.0', '-3.0', '0.0', '-']
     """
-    return f"+{number(value)}" if value > 0 else number(value)
+    return f"+{number(value)}" if round(value, 1) > 0 else number(value)
 
 
 def spread(mean: float, sd: float) -> str:
