@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import tutorstudent as ts
 from numpy.typing import NDArray
+
+import tutorstudent as ts
 from tutorstudent.core.observers import Entries
 from tutorstudent_controllers.pid.state import Heat, PlateState
 from tutorstudent_controllers.pid.tutor import NEW_SETPOINT

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+
 import tutorstudent as ts
 from tutorstudent_controllers.pid.state import Heat, PlateState
 
@@ -63,6 +64,7 @@ class Plate(ts.World[PlateState, Heat]):
         self._time_s = self._plate_k = self._drift_k = 0.0
         self._read_k = deque([self._read()] * (SLOPE_SAMPLES + 1), maxlen=SLOPE_SAMPLES + 1)
         self._setpoint_k = 0.0
+        self._on_setpoint = 0
         self._ask()
         return self._state()
 

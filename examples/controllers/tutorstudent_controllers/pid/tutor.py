@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import tutorstudent as ts
@@ -40,12 +41,17 @@ class SimplePid(ts.Tutor[PlateState, Heat]):
         self._time_s = 0.0
         self._pid = self._controller()
         self._situation = FOLLOWING
+        self._last = Heat(power=0.0)
 
     def act(self, state: PlateState) -> Heat:
+        if not all(map(math.isfinite, (state.time_s, state.setpoint_k, state.measured_k))):
+            return self._last  # a reading that is no number would stay in the integral for ever
         self._time_s = state.time_s
         self._situation = FOLLOWING if self._pid.setpoint == state.setpoint_k else NEW_SETPOINT
         self._pid.setpoint = state.setpoint_k
-        return Heat(power=self._pid(state.measured_k))
+        power = self._pid(state.measured_k)
+        self._last = Heat(power=0.0 if power is None else power)
+        return self._last
 
     @property
     def situation(self) -> str:
