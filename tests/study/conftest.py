@@ -1,4 +1,4 @@
-"""Installs the corridor as a distribution, so that studies find it as they find anybody's, in workers too."""
+"""Installs the corridor and the plant as distributions, so that studies find them as anybody's, in workers too."""
 
 from __future__ import annotations
 
@@ -36,14 +36,31 @@ observers: [turns]
 """
 
 
+PLANT = """\
+decisions: 60
+world: kettle
+tutor: keeper
+student: eager
+selector: timid
+amplifier: {use: jump, change: rooted}
+evaluator: strict
+conditions: [too-hot]
+observers: [warmed]
+limits: {cap: 0.3, factor: 1.5, slew: 2}
+on_tutor_failure: {value: 0.0}
+"""
+
+
 @pytest.fixture(scope="session")
 def corridor_distribution(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of installed distributions: the corridor's and the plant's."""
     place = tmp_path_factory.mktemp("site")
-    shutil.copy(Path(__file__).with_name("corridor.py"), place / "corridor_plugin.py")
-    information = place / "corridor_plugin-0.1.dist-info"
-    information.mkdir()
-    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: corridor-plugin\nVersion: 0.1\n")
-    (information / "entry_points.txt").write_text("[tutorstudent]\ncorridor = corridor_plugin\n")
+    for name in ("corridor", "plant"):
+        shutil.copy(Path(__file__).with_name(f"{name}.py"), place / f"{name}_plugin.py")
+        information = place / f"{name}_plugin-0.1.dist-info"
+        information.mkdir()
+        (information / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 0.1\n")
+        (information / "entry_points.txt").write_text(f"[tutorstudent]\n{name} = {name}_plugin\n")
     return place
 
 
@@ -66,10 +83,18 @@ def files(tmp_path: Path) -> dict[str, Path]:
     """Pipeline files by name."""
     folder = tmp_path / "pipelines"
     folder.mkdir()
-    texts = {"full": FULL, "streamlined": STREAMLINED, "alone": ALONE}
+    texts = {"full": FULL, "streamlined": STREAMLINED, "alone": ALONE, "plant": PLANT}
     for name, text in texts.items():
         (folder / f"{name}.yaml").write_text(text)
     return {name: folder / f"{name}.yaml" for name in texts}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Of a study, or of several."""
+    made = tmp_path / "folder"
+    made.mkdir()
+    return made
 
 
 @pytest.fixture

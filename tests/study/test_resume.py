@@ -20,14 +20,6 @@ from tutorstudent.study.durable import remove_partial, whole_folder, write_whole
 Planned = Callable[..., Plan]
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """Of a study, or of several."""
-    made = tmp_path / "folder"
-    made.mkdir()
-    return made
-
-
 def resume(*arguments: object) -> Any:
     return CliRunner().invoke(app, ["--resume", *map(str, arguments)])
 

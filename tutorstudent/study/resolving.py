@@ -43,7 +43,7 @@ def resolve(pipeline: Pipeline) -> Resolved:
         encoders = [part for _, part in engine.student.parts() if isinstance(part, Encoder)]
         return Resolved(
             describe(engine, world, pipeline),
-            engine.amplifier.amount,
+            float(engine.amplifier.amount),
             plain(engine.amplifier.change.describe(), "amplifier.change"),
             plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
