@@ -7,9 +7,11 @@
 | the constant level that is best | `seeking`, `levels`, `searching` |
 | every run, in parallel, each into a folder of its own | `jobs`, `backends`, `durable`, `timing`, `progress` |
 | what is on disk | `results`, `sketches` |
-| numbers, and how they are written | `statistics`, `columns`, `tables` |
+| numbers of one row, and of two | `measures`, `statistics`; `pairs`, `intervals`, `significance` |
+| what is held against what | `comparisons`, `verdicts` |
+| tables | `cells`, `columns`, `table`, `tables`, `difference_tables` |
 | pictures | `curves`, `palette`, `svg`, `panels`, `strips`, `maps`, `pictures` |
-| the page | `media`, `page`, `report` |
+| the page and the other files | `media`, `page`, `latex`, `tidy`, `report` |
 | all of it | `studies`, `options`, `command` |
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.
