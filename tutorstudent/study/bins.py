@@ -49,6 +49,8 @@ def covers(decisions: int) -> str:
     >>> covers(10_000), covers(60)
     ('1,000 decisions', 'a tenth of the run, 6 decisions')
     """
-    ends = edges(decisions)
-    width = f"{round(decisions / (len(ends) - 1)):,} decision{'s' if decisions > len(ends) - 1 else ''}"
+    bins = len(edges(decisions)) - 1
+    if bins == decisions:
+        return "a decision"
+    width = f"{round(decisions / bins):,} decisions"
     return width if decisions >= FEWEST * DECISIONS else f"a tenth of the run, {width}"

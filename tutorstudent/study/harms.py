@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from tutorstudent.core.recording import Arrays
 from tutorstudent.core.world import Sketch
 from tutorstudent.study.curves import places
-from tutorstudent.study.maps import SIZE_PX, draw_world, way_pieces
+from tutorstudent.study.maps import draw_world, way_pieces
 from tutorstudent.study.palette import HARM, WAY, Palette
 from tutorstudent.study.svg import STYLE, sheet, svg
 from tutorstudent.study.traces import Trace
 
 Points = NDArray[np.float64]
-RASTER_DPI = 120
+SIZE_PX, RASTER_DPI = 240, 130
 
 
 class Harms(NamedTuple):

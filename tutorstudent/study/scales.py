@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 LINEAR_UP_TO = 10
 """Long scales are linear up to here and logarithmic beyond."""
@@ -30,3 +31,14 @@ def long_ticks(highest: float, steps: Sequence[int]) -> list[int]:
     """
     ticks = [0, *(step * 10**power for power in range(9) for step in steps)]
     return [tick for tick in ticks if tick <= highest]
+
+
+def long_share(values: NDArray[np.float64], limit: float) -> NDArray[np.float64]:
+    """Return how far along a long scale from 0 to `limit` values stand: the linear part is as long as a power of ten.
+
+    >>> long_share(np.array([0.0, 5.0, 10.0, 100.0, 1000.0]), 1000.0).tolist()
+    [0.0, 0.16666666666666666, 0.3333333333333333, 0.6666666666666666, 1.0]
+    """
+    ends = np.append(values, limit) / LINEAR_UP_TO
+    tens = np.where(ends <= 1, ends, 1 + np.log10(np.maximum(ends, 1)))
+    return np.asarray(tens[:-1] / tens[-1], dtype=np.float64)

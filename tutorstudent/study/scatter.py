@@ -44,7 +44,9 @@ def _across(axes: Axes, gains: Gains) -> None:
     axes.set_xlim(-0.6, top * 1.6)
     axes.set_xlabel(f"{gains.harm} decisions in {PER:,} ({LONG_LABEL})")
     axes.axvline(BUDGET, color=INK, linewidth=1.0, linestyle=DASHED)
-    axes.annotate("0.1 %", (BUDGET, 1), (3, -9), xycoords=("data", "axes fraction"), textcoords="offset points")
+    axes.annotate(
+        "0.1\N{NO-BREAK SPACE}%", (BUDGET, 1), (3, -9), xycoords=("data", "axes fraction"), textcoords="offset points"
+    )
 
 
 def _upward(axes: Axes, gains: Gains) -> None:

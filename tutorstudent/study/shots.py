@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -100,9 +101,13 @@ def _write(draw: ImageDraw.ImageDraw, shown: Shot, decision: int) -> None:
     draw.text((left, first), shown.title, font=_font("bold"), fill="black")
     draw.text((right, first), f"decision {decision + 1:,}", font=_font("normal"), fill="black", anchor="ra")
     draw.text((left, second), counted, font=_font("normal"), fill="black")
-    level = f"level {shown.levels[decision]}"
-    draw.text((right, second), level, font=_font("bold"), fill=shown.colours[decision], anchor="ra")
+    level, room = f"level {shown.levels[decision]}", FINER * 2
+    reach = _font("normal").getlength(level) + 3 * room
+    swatch = (right - reach - FINER * LETTERS_PX, second + room, right - reach, second + FINER * LETTERS_PX + room)
+    draw.rectangle(swatch, fill=shown.colours[decision])
+    draw.text((right, second), level, font=_font("normal"), fill="black", anchor="ra")
 
 
+@cache
 def _font(weight: str) -> ImageFont.FreeTypeFont:
     return ImageFont.truetype(findfont(f"DejaVu Sans:{weight}"), FINER * LETTERS_PX)
