@@ -63,11 +63,16 @@ class BacksOff(Drives):
 
 
 class Turns(Drives):
-    """Turns on the spot, to the side with more room when it began."""
+    """Turns on the spot, to the side with more room when it began.
+
+    A turn that follows another turn goes on to the same side, whatever it is from: two reasons to turn would else send
+    the robot to and fro.
+    """
 
     def initialise(self) -> None:
         super().initialise()
-        self._to_left = self.leftwards(self.cockpit.seen)
+        before = self.cockpit.command.kind
+        self._to_left = before == "left" if before in ("left", "right") else self.leftwards(self.cockpit.seen)
 
     def drive(self) -> None:
         self.cockpit.turn(self._to_left)
@@ -91,11 +96,11 @@ class TurnsFromBlue(Turns):
         return seen.blue_rad < 0
 
 
-class Faces(Turns):
-    """Turns towards the nearest red thing."""
+class Faces(Drives):
+    """Turns towards the nearest red thing, wherever it is by now."""
 
-    def leftwards(self, seen: Percept) -> bool:
-        return seen.red_rad > 0
+    def drive(self) -> None:
+        self.cockpit.turn(self.cockpit.seen.red_rad > 0)
 
 
 class Wanders(Behaviour):
