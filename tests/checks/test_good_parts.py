@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.checks.good import GOOD, Heat, House, Room, Stove, room
+from tests.plugins.process.programs import UNIT, answering
 from tutorstudent.checks import Report, checks_of, run_checks
 from tutorstudent.checks.process import make
+from tutorstudent.core.commands import scalar
 from tutorstudent.core.component import Component
 from tutorstudent.core.errors import ContractError, PipelineError
 from tutorstudent.core.interfaces import Tutor
@@ -19,6 +22,7 @@ from tutorstudent.plugins.backprop import BackpropStudent
 from tutorstudent.plugins.changes import Additive
 from tutorstudent.plugins.prototype2 import Bits
 from tutorstudent.plugins.ranges import Ranges
+from tutorstudent.sims.gym.types import GymState
 
 IN_ANOTHER_PROCESS = "same_answers_in_another_process"
 REQUIRED: dict[tuple[str, str], dict[str, Any]] = {
@@ -32,8 +36,26 @@ REQUIRED: dict[tuple[str, str], dict[str, Any]] = {
     ("condition", "any-of"): {"of": ["near"]},
     ("condition", "all-of"): {"of": ["bumped", "near"]},
     ("condition", "not"): {"of": "bumped"},
+    ("condition", "info-true"): {"key": "crashed"},
+    ("condition", "observation-outside"): {"index": 0, "low": -1.0, "high": 1.0},
+    ("condition", "reward-below"): {"threshold": 0.0},
+    ("world", "gymnasium"): {"id": "Pendulum-v1"},
+    ("tutor", "process"): {"program": answering(), "action": UNIT, "deadline_s": 20.0},
 }
 """Options that have no default."""
+GYM_STATES = [
+    GymState(np.array([position, 0.5]), position, position > 1, info={"crashed": position > 1})
+    for position in (-2.0, 0.5, 2.0)
+]
+HOW: dict[tuple[str, str], dict[str, Any]] = {
+    ("condition", "info-true"): {"states": GYM_STATES},
+    ("condition", "observation-outside"): {"states": GYM_STATES},
+    ("condition", "reward-below"): {"states": GYM_STATES},
+    ("condition", "terminated"): {"states": GYM_STATES},
+    ("world", "gymnasium"): {"action": scalar(-2.0, 2.0)},
+    ("tutor", "process"): {"states": [-30, 10, 20]},
+}
+"""What parts are tried with that are made for any state or action."""
 REGISTRY = Registry.discover()
 SHIPPED = [installed for installed in REGISTRY if installed.distribution.startswith("tutorstudent ")]
 
@@ -60,7 +82,8 @@ def test_there_is_a_good_part_of_every_role() -> None:
 @pytest.mark.parametrize("installed", SHIPPED, ids=lambda item: f"{item.cls.role}-{item.cls.name}")
 def test_every_shipped_part_passes(installed: Installed) -> None:
     role, name = installed.cls.role, installed.cls.name
-    report = quickly(make(REGISTRY, role, {"use": name} | REQUIRED.get((role, name), {})))
+    part = make(REGISTRY, role, {"use": name} | REQUIRED.get((role, name), {}))
+    report = quickly(part, **HOW.get((role, name), {}))
     assert [] == report.of("failed")
     assert "works" not in skipped(report)
 
@@ -190,3 +213,17 @@ def test_the_time_is_reported_and_never_judged() -> None:
     notes = {result.check: result.note for result in quickly(Stove()).of("passed")}
     assert notes["says_how_long_it_takes"].startswith("median ")
     assert notes["says_how_long_it_takes"].endswith(" us per decision")
+
+
+def test_whatever_a_check_opens_is_closed() -> None:
+    closed: list[int] = []
+
+    class Opening(Stove):
+        """Counts its ends."""
+
+        def close(self) -> None:
+            closed.append(id(self))
+
+    checks = {check.name: check for check in checks_of(Opening())}
+    checks["answers_are_sound"]()
+    assert 1 == len(closed)

@@ -38,7 +38,10 @@ class Check:
         reason = self.usage.subject.waived.get(self.name)
         if reason is not None:
             raise CheckSkipped(f"waived by the part: {reason}")
-        return self.function(self.usage)
+        try:
+            return self.function(self.usage)
+        finally:
+            self.usage.subject.close_all()
 
     def __str__(self) -> str:
         return self.name

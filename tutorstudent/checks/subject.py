@@ -15,6 +15,7 @@ part is made for, or a stand-in with every direction.
 
 from __future__ import annotations
 
+import contextlib
 import copy
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
@@ -60,12 +61,20 @@ class Subject:
         self.world = world
         self.given_states = states
         self.given_action = action
+        self._made: list[Component] = []
 
     def bound(self, slot: str = "", seed: int = SEED) -> Any:
         """Return a fresh instance that was bound at a slot; its role's, if none is named."""
         part = self.make()
+        self._made.append(part)
         part.bind(Binding(seed, slot or self.cls.role, self.action))
         return part
+
+    def close_all(self) -> None:
+        """Close every instance that was bound, whatever became of it, so that no check leaves anything open."""
+        while self._made:
+            with contextlib.suppress(Exception, SystemExit):
+                self._made.pop().close()
 
     @property
     def waived(self) -> Mapping[str, str]:
@@ -78,7 +87,8 @@ class Subject:
         owners = [owner for owner in (self.world, *family(self.sample)) if owner is not None]
         own = [getattr(owner, "action", None) for owner in owners]
         claims = [self.given_action, *own, *(action_claim(type(owner)) for owner in owners)]
-        return next((claim for claim in claims if isinstance(claim, type) and issubclass(claim, Action)), Motion)
+        known = (claim for claim in claims if isinstance(claim, type) and issubclass(claim, Action))
+        return next((claim for claim in known if claim is not Action), Motion)
 
     @cached_property
     def actions(self) -> list[Any]:
