@@ -22,7 +22,8 @@ def summary(*proposals: Proposal | None) -> dict[str, float]:
             moment=SimpleNamespace(tutor_action=tutor_action, situation=""),
         )
         turn: Any = SimpleNamespace(decision=decision, lesson=None, incidents=(), outcome=None)
-        tally.observe(turn, SimpleNamespace(done=False))  # type: ignore[arg-type]
+        step: Any = SimpleNamespace(done=False)
+        tally.observe(turn, step)
     return dict(tally.summary())
 
 

@@ -78,6 +78,12 @@ def test_a_whole_study_is_sound_latex() -> None:
     assert "\\section*{cave}" in text
 
 
+def test_the_preamble_is_closed_where_it_was_opened() -> None:
+    preamble = document([]).partition("\\begin{document}")[0]
+    assert preamble.count("{") == preamble.count("}")
+    assert preamble.count("[") == preamble.count("]")
+
+
 def test_hostile_names_stay_text() -> None:
     text = document([(r"\end{document}$", [HOSTILE])])
     check(body(text))

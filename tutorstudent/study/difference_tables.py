@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from tutorstudent.study.cells import correlation, difference, improvement, number, probability
 from tutorstudent.study.comparisons import Comparison, Family, families
+from tutorstudent.study.measures import PER
 from tutorstudent.study.plan import Environment
 from tutorstudent.study.results import Study
 from tutorstudent.study.significance import LEVEL, fewest_pairs
 from tutorstudent.study.table import Row, Table
-from tutorstudent.study.verdicts import MARGIN, PER, Judgement, harm_rate, judgements
+from tutorstudent.study.verdicts import MARGIN, Judgement, harm_rate, judgements
 
 HEADER = ("against", "measure", "pairs", "difference", "r", "better in", "p", "p, Holm")
 ABOUT_VERDICTS = (
     "Run by run on the same seed. Not worse: the one-sided 95 % BCa bound of the difference lies below the margin of "
-    f"{MARGIN:g} in {PER:,} decisions (0.1 %). Worse: the other bound lies above it. Undecided: neither, fewer than "
+    f"{MARGIN:g} in {PER:,} decisions. Worse: the other bound lies above it. Undecided: neither, fewer than "
     "three pairs, or too few decisions to see such a rate. The verdicts are not corrected for their number."
 )
 

@@ -9,6 +9,8 @@ from typing import NamedTuple
 from tutorstudent.study.results import Run
 
 WAY, TIME, DECISIONS = "distance_m", "time_s", "decisions"
+PER = 10_000
+"""Decisions to which harm is referred: the length of the thesis's runs."""
 
 
 class Measure(NamedTuple):
@@ -61,8 +63,8 @@ def per_time(title: str, key: str, better: int = 0) -> Measure:
 
 
 def per_decisions(title: str, key: str, better: int = 0) -> Measure:
-    """Return a number for every 10,000 decisions, the length of the thesis's runs."""
-    return Measure(f"{title} per 10,000", key, DECISIONS, 10_000.0, better)
+    """Return a number for every `PER` decisions."""
+    return Measure(f"{title} per {PER:,}", key, DECISIONS, PER, better)
 
 
 def harm(runs: Iterable[Run]) -> Measure:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tutorstudent.study.intervals import FEWEST, Interval, bca, wilson
+from tutorstudent.study.intervals import CONFIDENCE, FEWEST, Interval, bca, wilson
 
 
 class Difference(NamedTuple):
@@ -39,13 +39,13 @@ class Pairs(NamedTuple):
         """Ours less theirs, pair by pair."""
         return tuple(our - their for our, their in zip(self.ours, self.theirs, strict=True))
 
-    def difference(self) -> Difference:
+    def difference(self, confidence: float = CONFIDENCE) -> Difference:
         """Return the mean difference with its BCa interval over pairs.
 
         >>> Pairs((0, 1, 2), (5.0, 7.0, 9.0), (2.0, 4.0, 6.0)).difference()
         Difference(pairs=3, mean=3.0, interval=Interval(low=3.0, high=3.0))
         """
-        return Difference(len(self.ours), float(np.mean(self.differences)), bca(self.differences))
+        return Difference(len(self.ours), float(np.mean(self.differences)), bca(self.differences, confidence))
 
     def correlation(self) -> float | None:
         """Return Pearson's r: how much pairing by seed explains. None where it is not defined or of two pairs.

@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
-from tutorstudent.study.intervals import Interval, bca
-from tutorstudent.study.measures import DECISIONS, Measure, harm, per_decisions
+from tutorstudent.study.intervals import Interval
+from tutorstudent.study.measures import DECISIONS, PER, Measure, harm, per_decisions
 from tutorstudent.study.pairs import Difference, paired
 from tutorstudent.study.plan import Environment, Variant
 from tutorstudent.study.results import Run, Study
 
 MARGIN = 10.0
-"""Harmed decisions in 10,000: the 0.1 % that the thesis calls few (chapter 5). Choice: see docs/fidelity.md."""
-PER = 10_000
+"""Harmed decisions in 10,000: the 0.1 % below which the thesis finds collisions (4.4). Choice: see docs/fidelity.md."""
 ONE_SIDED = 0.90
 """Confidence of an interval whose bounds are one-sided ones for 95 %."""
 RULE_OF_THREE = 3.0
@@ -57,11 +56,13 @@ def judgements(study: Study, environment: Environment, margin: float = MARGIN) -
         environment: Of the study.
         margin: How much more does not matter, harmed decisions in 10,000.
     """
+    if not environment.reference:
+        return []
     measure = harm_rate(study, environment)
     alone = study.of(environment.name, environment.reference)
     others = [variant for variant in environment.variants if variant.name != environment.reference]
     made = [_judgement(variant, study.of(environment.name, variant.name), alone, measure, margin) for variant in others]
-    return [item for item in made if item is not None and environment.reference]
+    return [item for item in made if item is not None]
 
 
 def _judgement(
@@ -73,10 +74,9 @@ def _judgement(
     mean, pairs = sum(ours.values()) / len(ours), paired(ours, measure.by_seed(alone))
     if pairs is None:
         return Judgement(variant.name, variant.control, mean, None, Verdict.UNDECIDED)
-    interval = bca(pairs.differences, ONE_SIDED)
+    difference = pairs.difference(ONE_SIDED)
     decisions = sum(run.summary[DECISIONS] for run in runs if run.seed in pairs.seeds)
-    difference = Difference(len(pairs.seeds), pairs.difference().mean, interval)
-    return Judgement(variant.name, variant.control, mean, difference, verdict(interval, decisions, margin))
+    return Judgement(variant.name, variant.control, mean, difference, verdict(difference.interval, decisions, margin))
 
 
 def verdict(interval: Interval | None, decisions: float, margin: float = MARGIN) -> Verdict:
