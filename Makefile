@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check format lint types tests soak bench install clean
+.PHONY: help demo picture compare test check format lint types tests soak bench install docs clean
 
 help: ## say what there is
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
@@ -40,7 +40,7 @@ compare: $(VENV)/.demo ## 10 paired seeds with controls in the four environments
 		--runs 10 --decisions 10000 --workers $(WORKERS) --out studies/compare
 
 test: check ## all checks: format, lint, types, tests with warnings as errors
-check: format lint types tests
+check: format lint types docs tests
 
 format: $(VENV)/.dev
 	$(BIN)/ruff format --check .
@@ -54,6 +54,9 @@ types: $(VENV)/.dev
 tests: $(VENV)/.dev
 	$(BIN)/python -m pytest
 
+docs: $(VENV)/.dev ## the site, with warnings as errors, into docs/_build
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
+
 soak: $(VENV)/.dev ## a million random decisions with hostile parts: zero breaches of the behaviour contract
 	$(BIN)/python -m tests.soak --decisions 1000000 --seed 1
 
@@ -61,4 +64,4 @@ bench: $(VENV)/.dev ## CPU time per decision and ratios; writes docs/performance
 	$(BIN)/python -m tests.bench
 
 clean: ## remove what the targets made
-	rm -rf $(VENV) demo-out studies runs
+	rm -rf $(VENV) demo-out studies runs docs/_build docs/reference

@@ -21,8 +21,8 @@ LONGEST_STALL = 50
 DEVIATIONS = 2.0
 
 
-ENVIRONMENTS = ("cave-box", "chase-avoid", "cave-predator-prey", "cave-predator-prey-box")
-"""In the order in which they are tried: the quickest and most telling first."""
+ENVIRONMENTS = ("cave-box", "cave-predator-prey-box", "chase-avoid", "cave-predator-prey")
+"""In the order in which they are tried: the quickest, then the most telling first."""
 SD_OF_NONE = 1.0
 """Stands for the standard deviation of collisions where the thesis's prototype 2 never collided."""
 

@@ -1,0 +1,32 @@
+"""Sphinx configuration; `make docs` builds the site, `make test` builds it with warnings as errors."""
+
+from __future__ import annotations
+
+import sys
+from importlib import metadata
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+
+import reference  # noqa: E402 - stands beside this file
+
+project = "tutorstudent"
+author = "The tutorstudent founders"
+version = release = metadata.version("tutorstudent")
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+exclude_patterns = ["_build"]
+html_theme = "furo"
+html_title = "tutorstudent"
+html_static_path: list[str] = []
+
+myst_enable_extensions = ["colon_fence", "deflist"]
+myst_heading_anchors = 3
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_default_options = {"members": True, "show-inheritance": True}
+napoleon_google_docstring = True
+nitpicky = False
+
+reference.write(HERE / "reference")

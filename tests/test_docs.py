@@ -1,0 +1,114 @@
+"""The documentation is complete, its code runs, and its commands exist."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import re
+import shlex
+import sys
+from pathlib import Path
+
+import pytest
+import typer.main
+
+from tutorstudent.cli import app, main
+from tutorstudent.core import hookspecs
+from tutorstudent.core.registry import Registry
+
+DOCS = Path(__file__).parents[1] / "docs"
+sys.path.append(str(DOCS))
+
+import reference  # noqa: E402 - stands beside the pages
+
+PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"reference", "_build"} & set(path.parts))
+FENCE = re.compile(r"^```(\w+)\n(.*?)^```", flags=re.DOTALL | re.MULTILINE)
+OWN = [installed.cls for installed in Registry.discover() if installed.distribution.split()[0] == "tutorstudent"]
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    return [(found.group(1), found.group(2)) for found in FENCE.finditer(page.read_text(encoding="utf-8"))]
+
+
+def run_python(code: str, names: dict[str, object], page: Path) -> None:
+    if code.lstrip().startswith(">>>"):
+        example = doctest.DocTestParser().get_doctest(code, names, page.name, str(page), 0)
+        assert 0 == doctest.DocTestRunner().run(example).failed
+        names.update(example.globs)
+    else:
+        exec(compile(code, str(page), "exec", dont_inherit=True), names)
+
+
+def run_commands(text: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    for line in text.replace("\\\n", " ").splitlines():
+        words = shlex.split(line, comments=True)
+        if words[:1] == ["tutorstudent"]:
+            monkeypatch.setattr(sys, "argv", words)
+            with pytest.raises(SystemExit) as ended:
+                main()
+            assert 0 == (ended.value.code or 0), (line, capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: str(page.relative_to(DOCS)))
+def test_the_code_of_every_page_runs(page, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for other in PAGES:
+        for language, text in blocks(other):
+            if language == "yaml" and (name := re.match(r"# (\S+\.yaml)\n", text)):
+                (tmp_path / name.group(1)).write_text(text, encoding="utf-8")
+    names: dict[str, object] = {"__name__": "page"}
+    for language, text in blocks(page):
+        if language == "python":
+            run_python(text, names, page)
+        elif language == "sh":
+            run_commands(text, capsys, monkeypatch)
+
+
+def all_commands(command, name=""):
+    children = getattr(command, "commands", {})
+    for child in children:
+        yield from all_commands(children[child], f"{name} {child}".strip())
+    if not children:
+        yield name, command
+
+
+@pytest.mark.parametrize(("name", "command"), list(all_commands(typer.main.get_command(app))))
+def test_every_command_and_each_of_its_parameters_is_documented(name, command):
+    page = "\n".join(reference.commands())
+
+    assert f"## `tutorstudent {name}`" in page
+    assert command.help
+    for param in command.params:
+        assert getattr(param, "help", None), f"{name}: {param.name} has no help"
+
+
+@pytest.mark.parametrize("cls", OWN, ids=lambda cls: f"{cls.role}-{cls.name}")
+def test_every_part_and_each_of_its_options_is_documented(cls):
+    page = "\n".join(reference.parts(Registry.discover()))
+
+    assert f"### {cls.role} `{cls.name}`" in page
+    assert inspect.getdoc(cls)
+    for key, field in cls.Options.model_fields.items():
+        assert field.description, f"{cls.role} {cls.name}: option {key} has no description"
+        assert f"`{key}" in page
+
+
+def test_every_hook_is_documented():
+    hooks = [name for name in vars(hookspecs) if name.startswith("tutorstudent_")]
+    page = "\n".join(reference.hooks())
+
+    assert hooks
+    for hook in hooks:
+        assert f"## {hook}" in page
+        assert inspect.getdoc(getattr(hookspecs, hook))
+
+
+def test_every_page_is_in_the_table_of_contents():
+    listed = set()
+    for page in PAGES:
+        for toctree in re.findall(r"```\{toctree\}\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL):
+            lines = [line for line in toctree.splitlines() if line and not line.startswith(":")]
+            for line in lines:
+                listed |= {path.resolve() for path in page.parent.glob(f"{line}.md")}
+
+    assert {page for page in PAGES if page.name != "index.md" or page.parent != DOCS} <= listed
