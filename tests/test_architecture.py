@@ -17,6 +17,7 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 CORE_ORDER = [
     {"errors"},
     {"actions"},
+    {"problems"},
     {"proposals", "records", "component"},
     {"limits", "leaves", "interfaces", "world"},
     {"rendering", "guard", "wiring"},

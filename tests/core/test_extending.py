@@ -118,7 +118,7 @@ def test_every_value_has_its_place_in_its_own_file() -> None:
         ("table", "student: {use: tabel}", "child.yaml:2:11: student.use: no student named 'tabel' (did you mean"),
         ("table", "student: tabel", "child.yaml:2:1: student: no student named 'tabel' (did you mean 'table'?)"),
         ("table", "conditions: [crashd]", "child.yaml:2:14: conditions.0: no condition named 'crashd'"),
-        ("table", "selector: modifier", "child.yaml: selector 'modifier' needs LevelProposal but student 'table'"),
+        ("table", "selector: modifier", "child.yaml:2:1: selector: selector 'modifier' needs LevelProposal but"),
         ("table", "tutr: pusher", "child.yaml:2:1: tutr: unknown key (did you mean 'tutor'?). Allowed: amplifier,"),
     ],
 )

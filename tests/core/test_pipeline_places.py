@@ -154,7 +154,10 @@ def pipeline(text: str = PIPELINE) -> Pipeline:
         ({"world.length_m": -2}, "p.yaml (with world.length_m=-2): world.length_m: world 'rail': option 'length_m'"),
         ({"tutor": {"use": "pushr"}}, 'p.yaml (with tutor={"use": "pushr"}): tutor.use: no tutor named'),
         ({"world.use": "rial"}, "p.yaml (with world.use=rial): world.use: no world named 'rial'"),
-        ({"selector": "modifier"}, "p.yaml (with selector=modifier): selector 'modifier' needs LevelProposal"),
+        (
+            {"selector": "modifier"},
+            "p.yaml (with selector=modifier): selector: selector 'modifier' needs LevelProposal",
+        ),
         ({"limits": list(range(30))}, "p.yaml (with limits=[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11...): limits: found"),
         ({"seed": 9, "conditions": ["crashd"]}, 'p.yaml (with conditions=["crashd"]): conditions.0: no condition'),
     ],
@@ -181,7 +184,7 @@ def test_a_mistake_in_a_replaced_value_names_it_instead_of_a_line(values: dict[s
             "p.yaml:7:3: student.encoder: this encoder is awkward.",
         ),
         ("use: rail", "use: demanding", PipelineError, "p.yaml:3:1: world: scene.yaml:9:1: no floor."),
-        ("[crashed]", "[crashed, blind]", PipelineError, "p.yaml:11:1: conditions.blind: no camera."),
+        ("[crashed]", "[crashed, blind]", PipelineError, "p.yaml:11:23: conditions.1: no camera."),
         (
             "seed: 3",
             "observers: [ledger, {use: ledger, lost: true}]",

@@ -238,7 +238,7 @@ def test_thresholds_are_options() -> None:
             Bits,
             {"front_m": 0.9},
             (
-                "encoder 'prototype2-bits': option 'clear_m': value error, must be more than front_m (0.9), "
+                "encoder 'prototype2-bits': option 'clear_m': must be more than front_m (0.9), "
                 "or a spin would end in front of an obstacle, found 0.8."
             ),
         ),
@@ -246,7 +246,7 @@ def test_thresholds_are_options() -> None:
             Bits,
             {"side_m": 0.2, "side_limited_m": 0.2},
             (
-                "encoder 'prototype2-bits': option 'side_limited_m': value error, must be more than side_m (0.2), "
+                "encoder 'prototype2-bits': option 'side_limited_m': must be more than side_m (0.2), "
                 "or two bits would say the same, found 0.2."
             ),
         ),
@@ -254,7 +254,7 @@ def test_thresholds_are_options() -> None:
             Thermometer,
             {"front_steps_m": (0.3, 0.3, 1.0, 2.0)},
             (
-                "encoder 'prototype2-thermometer': option 'front_steps_m': value error, must be positive and "
+                "encoder 'prototype2-thermometer': option 'front_steps_m': must be positive and "
                 "ascending, found (0.3, 0.3, 1.0, 2.0)."
             ),
         ),

@@ -291,7 +291,7 @@ def test_actions_are_in_bounds_for_all_extremes_of_the_options(options: dict[str
         (
             {"clear_m": 0.2},
             (
-                "tutor 'prototype2': option 'clear_m': value error, must be more than front_m (0.3), "
+                "tutor 'prototype2': option 'clear_m': must be more than front_m (0.3), "
                 "or a spin would end in front of an obstacle, found 0.2."
             ),
         ),

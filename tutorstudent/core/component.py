@@ -5,14 +5,25 @@ from __future__ import annotations
 import abc
 import hashlib
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar, NamedTuple, TypeVar, cast, get_args, get_origin
+from types import UnionType
+from typing import Annotated, Any, ClassVar, NamedTuple, TypeVar, Union, get_args, get_origin
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+)
 from pydantic_core import CoreSchema, core_schema
 
 from tutorstudent.core.actions import Action
 from tutorstudent.core.errors import ContractError, PipelineError, TutorStudentError, listing, suggestion
+from tutorstudent.core.problems import option_problems, refuse_truth
 
 Learned = Mapping[str, Any]
 """What was learned: arrays, numbers, strings, and mappings of these."""
@@ -32,6 +43,12 @@ class Options(BaseModel):
                     f"{cls.__qualname__}.{name}: the default is a component, which all would share; "
                     f"use Field(default_factory={type(field.default).__name__})."
                 )
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _no_truth_for_a_number(cls, value: Any, info: ValidationInfo) -> Any:
+        refuse_truth(cls.model_fields[str(info.field_name)].annotation, value)
+        return value
 
 
 class Binding(NamedTuple):
@@ -60,13 +77,13 @@ def stream(seed: int, slot: str) -> np.random.Generator:
 class Component(abc.ABC):
     """Something with a name, options and a place in a pipeline.
 
-    | when | what to do there |
-    |---|---|
-    | ``__init__(**options)`` | nothing: the base stores the validated options in ``self.options`` |
-    | ``setup()`` | once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open |
-    | ``reset()`` | between trials: forget the episode, keep what was learned |
-    | ``state_dict()`` / ``load_state_dict()`` | hand out and take back what was learned; never pickle |
-    | ``close()`` | once, at the end |
+    What to do when:
+
+    * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
+    * ``setup()``: once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
+    * ``reset()``: between trials: forget the episode, keep what was learned
+    * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
+    * ``close()``: once, at the end
     """
 
     role: ClassVar[str] = ""
@@ -177,7 +194,10 @@ class PartMarker:
         return core_schema.is_instance_schema(get_origin(source) or source)
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        return {ROLE_KEY: cast(Any, schema)["cls"].role}
+        found: Any = schema
+        while "cls" not in found:  # validators stand round it
+            found = found["schema"]
+        return {ROLE_KEY: found["cls"].role}
 
 
 _T = TypeVar("_T")
@@ -185,57 +205,49 @@ Part = Annotated[_T, PartMarker()]
 """An option that is itself a component: ``encoder: ts.Part[ts.Encoder]``."""
 
 
-def part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
-    """Return the role that an option's annotation asks for, or None if the option is no component.
+class PartOption(NamedTuple):
+    """An option that holds components."""
 
-    >>> part_role(int, []) is None
+    role: type[Component]
+    one: bool
+    """Whether one component may stand there by itself."""
+    many: bool
+    """Whether a list of components may."""
+    none: bool
+    """Whether nothing may."""
+
+
+def part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
+    """Return what an option's annotation asks for, or None if the option is no component.
+
+    >>> part_option(int, []) is None
     True
     """
     if any(isinstance(item, PartMarker) for item in metadata):
         found = get_origin(annotation) or annotation
-        return found if isinstance(found, type) and issubclass(found, Component) else None
-    if get_origin(annotation) is Annotated:
-        inner, *extra = get_args(annotation)
-        return part_role(inner, extra)
-    return next((role for arg in get_args(annotation) if (role := part_role(arg, []))), None)
+        if isinstance(found, type) and issubclass(found, Component):
+            return PartOption(found, one=True, many=False, none=False)
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        return part_option(inner[0], list(inner[1:]))
+    found_inside = [option for arg in inner if (option := part_option(arg, []))]
+    if not found_inside:
+        return None
+    if origin in (Union, UnionType):
+        role, *flags = zip(*found_inside, strict=True)
+        return PartOption(role[0], any(flags[0]), any(flags[1]), type(None) in inner)
+    return PartOption(found_inside[0].role, one=False, many=True, none=False)
+
+
+def part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
+    """Return the role that an option's annotation asks for, or None if the option is no component."""
+    option = part_option(annotation, metadata)
+    return option.role if option else None
 
 
 def option_message(cls: type[Component], error: ValidationError) -> str:
     """Say in one sentence what is wrong with a component's options."""
     return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in option_problems(cls.Options, error))
-
-
-def option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
-    """Return (location, sentence) for every mistake in a pydantic error about `model`, unknown options first.
-
-    An option that is missing is most often one that is misspelt.
-    """
-    items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
-    return [(tuple(item["loc"]), _problem(model, item)) for item in items]
-
-
-def _problem(model: type[BaseModel], item: Any) -> str:
-    path = ".".join(str(key) for key in item["loc"])
-    if item["type"] == "extra_forbidden":
-        holder = _holder(model, [key for key in item["loc"] if isinstance(key, str)])
-        known = holder.model_fields if holder else {}
-        allowed = f" Options: {listing(known)}." if holder else ""
-        return f"unknown option '{path}'{suggestion(str(item['loc'][-1]), known)}.{allowed}"
-    if item["type"] == "missing":
-        return f"option '{path}' is required."
-    if item["type"] == "is_instance_of":
-        kind = item["ctx"]["class"]
-        return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
-    return f"option '{path}': {item['msg'][0].lower()}{item['msg'][1:]}, found {item['input']!r}."
-
-
-def _holder(model: type[BaseModel], path: list[str]) -> type[BaseModel] | None:
-    # The model in which the last key stands; None where the way there leads through something else.
-    if len(path) == 1:
-        return model
-    inner = model.model_fields[path[0]].annotation if path[0] in model.model_fields else None
-    nested = [item for item in (inner, *get_args(inner)) if isinstance(item, type) and issubclass(item, BaseModel)]
-    return _holder(nested[0], path[1:]) if len(nested) == 1 else None
 
 
 __all__ = [
@@ -247,8 +259,9 @@ __all__ = [
     "Options",
     "Part",
     "PartMarker",
+    "PartOption",
     "option_message",
-    "option_problems",
+    "part_option",
     "part_role",
     "stream",
 ]

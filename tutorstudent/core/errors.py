@@ -14,16 +14,23 @@ Every message says what was found, where, what is allowed and what to do.
 from __future__ import annotations
 
 import difflib
+import reprlib
 from collections.abc import Iterable
 
 
 class TutorStudentError(Exception):
-    """Base of every error that this package raises on purpose."""
+    """Base of every error that this package raises on purpose.
 
-    slot: str = ""
-    """The slot of the part that was being set up, where that is what failed."""
-    placed: bool = False
-    """Whether the message begins with the place in a file."""
+    Args:
+        message: What was found, where, what is allowed and what to do.
+        slot: The slot of the part that it is about, as in ``student.encoder``, where one is to blame.
+    """
+
+    def __init__(self, message: str = "", slot: str = "") -> None:
+        super().__init__(message)
+        self.slot = slot
+        self.placed = False
+        """Whether the message begins with the place in a file."""
 
 
 class PluginError(TutorStudentError):
@@ -69,3 +76,28 @@ def listing(words: Iterable[str]) -> str:
     ('a, b', 'none')
     """
     return ", ".join(sorted(words)) or "none"
+
+
+def shown(value: object) -> str:
+    """Return a value that was found, as YAML has it and no longer than a line.
+
+    >>> shown(None), shown(True), shown("x"), shown([1, [2, 3]])
+    ('nothing', 'true', "'x'", '[1, [2, 3]]')
+    """
+    if value is None:
+        return "nothing"
+    if isinstance(value, bool):
+        return str(value).lower()
+    brief = reprlib.Repr()
+    brief.maxstring = brief.maxother = brief.maxlong = 60
+    text = brief.repr(value)
+    return text if len(text) <= 100 else f"{text[:97]}..."
+
+
+def an(word: str) -> str:
+    """Return a word with its article.
+
+    >>> an("tutor"), an("encoder")
+    ('a tutor', 'an encoder')
+    """
+    return f"{'an' if word[:1] in tuple('aeiou') else 'a'} {word}"

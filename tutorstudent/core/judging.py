@@ -23,7 +23,10 @@ class Judge(Generic[StateT]):
     def __init__(self, conditions: Sequence[Condition[StateT]], guard: Guard) -> None:
         doubled = [name for name, count in Counter(condition.label for condition in conditions).items() if count > 1]
         if doubled:
-            raise ContractError(f"conditions: '{doubled[0]}' stands there twice; each condition has a name of its own.")
+            raise ContractError(
+                f"'{doubled[0]}' stands there twice; each condition has a name of its own.",
+                slot=f"conditions.{doubled[0]}",
+            )
         self._conditions = [(c, c.label, type(c).margins is not Condition.margins) for c in conditions]
         self._guard = guard
         self._before: Margins | None = None

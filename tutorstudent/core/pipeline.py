@@ -13,14 +13,15 @@ from pydantic_core import to_jsonable_python
 
 from tutorstudent.core.adapters import as_tutor
 from tutorstudent.core.assembly import Assembler
-from tutorstudent.core.component import Binding, Component, Options, option_problems
+from tutorstudent.core.component import Binding, Component, Options
 from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import PipelineError, listing, suggestion
+from tutorstudent.core.errors import PipelineError, listing, shown, suggestion
 from tutorstudent.core.extending import EXTENDS, read_extended
 from tutorstudent.core.guard import OnIncident
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.observers import Observer
+from tutorstudent.core.problems import option_problems
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.runner import check_world
 from tutorstudent.core.settings import as_setting, set_value
@@ -64,10 +65,15 @@ class Pipeline:
 
     def __init__(self, document: Document, registry: Registry | None = None) -> None:
         if not isinstance(document.data, dict):
-            raise PipelineError(f"{document.name}: a pipeline is a mapping with the keys {', '.join(KEYS)}.")
+            found = shown(document.data)
+            raise PipelineError(
+                f"{document.name}: found {found}; a pipeline is a mapping with the keys {', '.join(KEYS)}."
+            )
         self.document = document
         self.registry = registry or Registry.discover()
         self._assembler = Assembler(document, self.registry)
+        if "selector" not in document.data:  # what does not fit the default one is the student
+            self._assembler.slots["selector"] = ("student",)
         self._assembler.check_keys(document.data, KEYS, ())
         if EXTENDS in document.data:
             raise self._assembler.error((EXTENDS,), "only a file can extend another; write the key into the file.")
@@ -117,7 +123,10 @@ class Pipeline:
         parts = {slot: self._part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
         if (conditions := given.get("conditions")) is None:
             conditions = self._assembler.parts("condition", self._value("conditions"), ("conditions",))
-        limits = self._assembler.model(Limits, self._mapping("limits", "{cap: 0.8}"), ("limits",), "limits")
+            self._assembler.slots |= {
+                f"conditions.{part.label}": ("conditions", i) for i, part in enumerate(conditions)
+            }
+        limits = self._limits()
         with self._assembler.placed(()):
             engine: Engine[Any, Any, Any] = Engine(
                 **parts,
@@ -152,32 +161,37 @@ class Pipeline:
         return found
 
     def _part(self, slot: str) -> Any:
-        value = self._value(slot)
-        if value is None:
+        if slot not in self.document.data and slot not in DEFAULTS:
             raise PipelineError(f"{self.document.name}: there is no '{slot}'; name one, as in '{slot}: {{use: ...}}'.")
-        return self._assembler.part(slot, value, (slot,))
+        return self._assembler.part(slot, self._value(slot), (slot,))
 
     def _value(self, key: str) -> Any:
         return self.document.data.get(key, DEFAULTS.get(key))
 
-    def _mapping(self, key: str, example: str) -> dict[str, Any]:
-        value = self._value(key)
-        if not isinstance(value, dict):
-            raise self._assembler.error((key,), f"found {value!r}; write a mapping, as in {key}: {example}.")
-        return value
+    def _limits(self) -> Limits:
+        values = self._value("limits")
+        if not isinstance(values, dict):
+            raise self._assembler.error(
+                ("limits",), f"found {shown(values)}; write a mapping, as in limits: {{cap: 0.8}}."
+            )
+        return self._assembler.model(Limits, values, ("limits",), "limits")
 
     def _failure_action(self, tutor: Tutor[Any, Any]) -> Any:
-        if self._value("on_tutor_failure") == "raise":
+        values = self._value("on_tutor_failure")
+        if values == "raise":
             return None
         at: Location = ("on_tutor_failure",)
         calm = next((kind for kind, group in tutor.action.vocabulary.groups.items() if not group), "...")
-        values = self._mapping("on_tutor_failure", f"{{kind: {calm}}}")
+        remedy = f"Write 'raise' or an action, as in on_tutor_failure: {{kind: {calm}}}."
+        if not isinstance(values, dict):
+            near = suggestion(values, ["raise"]) if isinstance(values, str) else ""
+            raise self._assembler.error(at, f"found {shown(values)}{near}. {remedy}")
         try:
             return tutor.action(**values)
         except ValidationError as error:
             location, problem = option_problems(tutor.action, error)[0]
             raise self._assembler.error(
-                (*at, *location), f"not a {tutor.action.__name__}: {problem} Write 'raise' or an action."
+                (*at, *location), f"not a {tutor.action.__name__}: {problem} {remedy}"
             ) from None
 
 

@@ -65,7 +65,7 @@ def set_value(data: dict[str, Any], dotted: str, value: Any, name: str) -> None:
     for key in parents:
         below = data.get(key, {})
         if isinstance(below, str):
-            below = {"use": below}
+            below = {} if key == "on_tutor_failure" else {"use": below}
         if not isinstance(below, dict):
             raise PipelineError(f"{name}: {dotted}: '{key}' is {below!r}, not a mapping; set '{key}' itself.")
         data[key] = dict(below)

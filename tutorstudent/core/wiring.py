@@ -20,7 +20,8 @@ def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
     if not any(vocabulary.groups.values()):
         raise ContractError(
             f"tutor '{tutor.name}': the action class {tutor.action.__name__} has nothing to amplify; "
-            f"its components are {listing(vocabulary.components)}. Name at least one in its 'amplification'."
+            f"its components are {listing(vocabulary.components)}. Name at least one in its 'amplification'.",
+            slot="tutor",
         )
 
 
@@ -34,7 +35,8 @@ def check_wiring(student: Student[Any, Any, Any], selector: ActionSelector[Any, 
         raise ContractError(
             f"selector '{selector.name}' needs {selector.proposal.__name__} but student '{student.name}' makes "
             f"{student.proposal.__name__}. The selector 'same-kind' reads the codec 'kind-level-ampbit'; "
-            "the selector 'modifier' reads 'level-ampbit'."
+            "the selector 'modifier' reads 'level-ampbit'.",
+            slot="selector",
         )
 
 
