@@ -20,23 +20,21 @@ SEEDS = (4, 5, 6)
 HARM = "collisions, per decision"
 
 
-def trace(seed: int, found: float, harmed: float, decisions: int = 5_000) -> Trace:
-    totals = {"prey": np.array([0.0, found]), HARM: np.array([0.0, harmed])}
-    return Trace(seed, decisions, totals, {}, None, None)
+def trace(seed: int, found: float | None, harmed: float, decisions: int = 5_000) -> Trace:
+    return Trace(seed, decisions, found, {HARM: np.array([0.0, harmed])}, {}, None, None)
 
 
-def traces(counters: dict[str, str], **rows: list[Trace]) -> Traces:
-    return Traces(Measures(counters, "collided"), rows, {})
+def traces(**rows: list[Trace]) -> Traces:
+    return Traces(Measures({}, "collided", "prey"), rows, {})
 
 
 PLACE = Environment("cave", (), "alone")
-COUNTERS = {"prey": "Prey Spin", "box": "Box Spin"}
 
 
 def test_a_gain_is_the_difference_to_the_tutor_alone_on_the_same_seed() -> None:
     alone = [trace(seed, found, 0) for seed, found in zip(SEEDS, (10, 20, 60), strict=True)]
     ours = [trace(seed, found, harmed) for seed, found, harmed in zip(SEEDS, (13, 22, 61), (0, 1, 5), strict=True)]
-    found = gains(PLACE, traces(COUNTERS, alone=alone, learner=ours[::-1]))
+    found = gains(PLACE, traces(alone=alone, learner=ours[::-1]))
     assert found is not None
     assert ("prey", "collided", "alone", 30.0) == found[:4]
     assert (Outcome(10.0, 1.0), Outcome(2.0, 2.0), Outcome(0.0, 3.0)) == found.rows["learner"].runs
@@ -46,23 +44,23 @@ def test_a_gain_is_the_difference_to_the_tutor_alone_on_the_same_seed() -> None:
 
 
 def test_harm_is_referred_to_ten_thousand_decisions_whatever_the_length_of_a_run() -> None:
-    found = gains(PLACE, traces(COUNTERS, alone=[trace(4, 1, 0)], learner=[trace(4, 1, 3, decisions=100)]))
+    found = gains(PLACE, traces(alone=[trace(4, 1, 0)], learner=[trace(4, 1, 3, decisions=100)]))
     assert found is not None
     assert 300.0 == found.rows["learner"].runs[0].harm
     assert Outcome(0.0, 0.0) == found.rows["learner"].sd
 
 
 def test_a_run_without_a_partner_has_no_gain() -> None:
-    found = gains(PLACE, traces(COUNTERS, alone=[trace(4, 1, 0)], learner=[trace(4, 3, 0), trace(5, 9, 0)], gone=[]))
+    found = gains(PLACE, traces(alone=[trace(4, 1, 0)], learner=[trace(4, 3, 0), trace(5, 9, 0)], gone=[]))
     assert found is not None
     assert (Outcome(0.0, 2.0),) == found.rows["learner"].runs
     assert "gone" not in found.rows
 
 
-def test_without_counter_or_tutor_alone_there_is_no_gain() -> None:
-    assert gains(PLACE, traces({}, alone=[trace(4, 1, 0)])) is None
-    assert gains(PLACE, traces(COUNTERS, learner=[trace(4, 1, 0)])) is None
-    assert gains(PLACE._replace(reference=""), traces(COUNTERS, learner=[trace(4, 1, 0)])) is None
+def test_without_a_goal_or_tutor_alone_there_is_no_gain() -> None:
+    assert gains(PLACE, traces(alone=[trace(4, None, 0)], learner=[trace(4, 1, 0)])) is None
+    assert gains(PLACE, traces(learner=[trace(4, 1, 0)])) is None
+    assert gains(PLACE._replace(reference=""), traces(learner=[trace(4, 1, 0)])) is None
 
 
 def rows(count: int) -> dict[str, Row]:

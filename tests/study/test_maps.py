@@ -26,7 +26,7 @@ def trace(harmed: int, contacts: int | None) -> Trace:
     def some(count: int) -> np.ndarray:
         return np.random.default_rng(count).random((count, 2))
 
-    return Trace(0, 100, {}, {}, some(harmed), None if contacts is None else some(contacts))
+    return Trace(0, 100, None, {}, {}, some(harmed), None if contacts is None else some(contacts))
 
 
 def drive(decisions: int = 4) -> Arrays:
@@ -53,7 +53,7 @@ def test_contacts_are_missing_where_the_world_counts_none() -> None:
 
 
 def test_a_world_without_places_or_drawing_has_no_map_of_harm() -> None:
-    nowhere = Trace(0, 100, {}, {}, None, None)
+    nowhere = Trace(0, 100, None, {}, {}, None, None)
     assert harms([nowhere]) is None
     assert harms([]) is None
     assert harm_map("a", SKETCH, [nowhere], None, PALETTE) is None

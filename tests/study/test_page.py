@@ -12,8 +12,11 @@ import pytest
 
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.world import Sketch
+from tutorstudent.study.head import head_html
 from tutorstudent.study.jobs import run_jobs
+from tutorstudent.study.levels import Level, Searched
 from tutorstudent.study.maps import _way, level_scale, way_map
+from tutorstudent.study.media import html
 from tutorstudent.study.page import page
 from tutorstudent.study.palette import Palette
 from tutorstudent.study.plan import Plan, Variant
@@ -21,10 +24,12 @@ from tutorstudent.study.planning import make_plan
 from tutorstudent.study.report import write_report
 from tutorstudent.study.requests import Request, read_pipelines, read_variation
 from tutorstudent.study.results import Study
+from tutorstudent.study.search_table import TITLE, level_colours_by_name, search_table
 from tutorstudent.study.sketches import load_sketch, save_sketch
 from tutorstudent.study.strips import strip
 from tutorstudent.study.studies import begin
 from tutorstudent.study.tables import CONTROLS
+from tutorstudent.study.timing import Spent, save_timing
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 
@@ -140,6 +145,49 @@ def test_runs_that_failed_are_told(study: Study, text: str) -> None:
     assert 2 * 6 == len(study.failures)
     assert "12 runs failed and are in no table" in text
     assert "short, blind, seed 2: RuntimeError: the wall fell down" in text
+
+
+def test_what_the_runs_took_is_said_where_every_one_was_timed(first: Study, tmp_path: Path) -> None:
+    palette = Palette(first.plan.variants())
+    assert "CPU seconds" not in head_html(first._replace(folder=tmp_path), "x", palette)
+    runs = [run._replace(folder=tmp_path / str(i)) for i, run in enumerate(first.runs[:2])]
+    for run in runs:
+        run.folder.mkdir()
+    (tmp_path / "sittings.json").write_text('[{"wall_s": 600.4}, {"wall_s": 1000.0}]')
+    save_timing(runs[0].folder, Spent(900.0, 700.0))
+    partly = first._replace(folder=tmp_path, runs=tuple(runs))
+    assert "CPU seconds" not in head_html(partly, "x", palette)
+    save_timing(runs[1].folder, Spent(900.0, 800.6))
+    told = "They took 1,501 CPU seconds, 1,600 seconds of wall time in 2 sittings on the machine that ran them."
+    assert told in head_html(partly, "x", palette)
+
+
+def test_the_search_is_a_table_where_there_was_one() -> None:
+    levels = (
+        Level("cave", 0, 2, 30.0, 0.0004),
+        Level("cave", 3, 2, 41.5, 0.0009, chosen=True),
+        Level("cave", 8, 0, None, None),
+    )
+    searched = Searched("attractors", 0.001, (1_000_000, 1_000_001), levels)
+    table = search_table(searched, "cave")
+    assert [
+        ("level 0, the tutor alone", "2", "30.0", "0.04%", ""),
+        ("level 3", "2", "41.5", "0.09%", "chosen"),
+        ("level 8", "0", "-", "-", ""),
+    ] == [(row.name, *row.cells) for row in table.rows]
+    assert "(seeds 1000000, 1000001)" in table.note
+    assert "at most 0.10% of decisions" in table.note
+    assert () == search_table(searched, "elsewhere").rows
+    Outline(html(table, level_colours_by_name()))
+
+
+def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> None:
+    name = first.plan.environments[0].name
+    assert TITLE not in page(first._replace(runs=()))
+    searched = Searched("turns", 0.001, (9,), (Level(name, 0, 1, 3.0, 0.0), Level(name, 5, 1, 4.0, 0.0, chosen=True)))
+    shown = section_of(page(first._replace(runs=(), search=searched)), name)
+    assert TITLE in shown
+    assert ">level 5</th>" in shown
 
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:

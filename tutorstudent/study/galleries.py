@@ -20,15 +20,6 @@ class Gallery(NamedTuple):
 
 def gallery_html(gallery: Gallery) -> str:
     """Return a gallery with its heading."""
-    return f"<h3>{escape(gallery.title)}</h3>\n{_body(gallery)}"
-
-
-def folded_html(title: str, galleries: list[Gallery]) -> str:
-    """Return galleries that are shown when the reader asks for them."""
-    bodies = "\n".join(gallery_html(gallery) for gallery in galleries)
-    return f"<details><summary>{escape(title)}</summary>\n{bodies}\n</details>"
-
-
-def _body(gallery: Gallery) -> str:
     shown = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
-    return f'<p class="note">{gallery.note}</p>\n<div class="{gallery.layout}">{shown}</div>'
+    note = f'<p class="note">{gallery.note}</p>'
+    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'

@@ -23,7 +23,8 @@ from tutorstudent.study.traces import Traces, read_traces
 class Pictures(NamedTuple):
     """In the order of the page; galleries without a picture are left out."""
 
-    shown: list[Gallery]
+    overview: list[Gallery]
+    details: list[Gallery]
     totals: list[Gallery]
     """The learning curves once more, summed up."""
 
@@ -34,9 +35,9 @@ def pictures(study: Study, environment: Environment, palette: Palette) -> Pictur
     sketch = load_sketch(study.folder / "sketches" / f"{environment.name}.json")
     decisions, seed = study.plan.decisions, study.plan.seeds[0]
     return Pictures(
+        _filled([_gain_gallery(environment, traces, palette)]),
         _filled(
             [
-                _gain_gallery(environment, traces, palette),
                 _strip_gallery(traces, palette),
                 *rate_galleries(environment, traces, decisions, palette),
                 way_gallery(environment, traces, sketch, seed, palette),

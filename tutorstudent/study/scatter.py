@@ -55,7 +55,7 @@ def _upward(axes: Axes, gains: Gains) -> None:
     axes.set_ylim(min(every) - room, max(every) + room)
     axes.locator_params(axis="y", nbins=7, integer=True)
     axes.yaxis.set_major_formatter(lambda value, _: _signed(value))
-    axes.set_title(f"{gains.counter}, more than {gains.reference} with the same seed", color=INK)
+    axes.set_title(f"{gains.goal}, more than {gains.reference} with the same seed", color=INK)
     axes.grid(axis="y", linewidth=0.5)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     if gains.reference_mean > 0:
@@ -63,7 +63,7 @@ def _upward(axes: Axes, gains: Gains) -> None:
 
 
 def _add_percent(axes: Axes, unit: float) -> None:
-    """Repeat the scale on the right in percent of what the tutor alone counts."""
+    """Repeat the scale on the right in percent of what the tutor alone achieves."""
 
     def percent(gain: Any) -> Any:
         return gain / unit
@@ -142,4 +142,4 @@ def _on_paper(axes: Axes, places: Iterable[Sequence[float]]) -> list[Point]:
 
 def _alt(gains: Gains) -> str:
     means = "; ".join(f"{name}: {row.mean.gain:+.4g} at {row.mean.harm:.4g}" for name, row in gains.rows.items())
-    return f"Gain in {gains.counter} over {gains.reference} against {gains.harm} decisions in {PER:,}, means. {means}."
+    return f"Gain in {gains.goal} over {gains.reference} against {gains.harm} decisions in {PER:,}, means. {means}."

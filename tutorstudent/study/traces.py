@@ -25,6 +25,8 @@ class Measures(NamedTuple):
     """What the tutors achieve, and the situation whose entries that is."""
     harm: str
     """``collided`` or, where the world knows no collisions, ``violated``."""
+    goal: str = ""
+    """What is gained, of a run's summary; the first counter where no search had a goal, empty for none."""
 
     def harm_total(self) -> str:
         """Return the title of the harm of a whole run, as in the tables."""
@@ -44,6 +46,8 @@ class Trace(NamedTuple):
 
     seed: int
     decisions: int
+    goal: float | None
+    """What it came to; None if it does not count that."""
     totals: dict[str, Curve]
     """By title: how often it had happened, at `tutorstudent.study.curves.thinned` decisions; the last is the end."""
     rates: dict[str, Curve]
@@ -78,14 +82,16 @@ class Traces(NamedTuple):
 def read_traces(study: Study, environment: Environment) -> Traces:
     """Read every run of an environment."""
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    measures = Measures(environment.counters(), _harm([run for found in runs.values() for run in found]))
+    counters, search = environment.counters(), study.plan.search
+    goal = search.goal if search else next(iter(counters), "")
+    measures = Measures(counters, _harm([run for found in runs.values() for run in found]), goal)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
         by_variant[name] = []
         for run in found:
             arrays = run.arrays()
-            by_variant[name].append(_trace(run.seed, arrays, measures))
+            by_variant[name].append(_trace(run, arrays, measures))
             if run.seed == study.plan.seeds[0]:
                 firsts[name] = arrays
     return Traces(measures, by_variant, firsts)
@@ -99,7 +105,7 @@ def _rate(name: str) -> str:
     return f"{name} per {DECISIONS:,} decisions"
 
 
-def _trace(seed: int, arrays: Arrays, measures: Measures) -> Trace:
+def _trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
     harm = harmed(arrays)
     happened = {name: entered(arrays, situation) for name, situation in measures.counters.items()}
     at = thinned(len(harm))
@@ -111,8 +117,9 @@ def _trace(seed: int, arrays: Arrays, measures: Measures) -> Trace:
         rates[MATCH] = 100 * binned(match.astype(float))
     where, contacts = places(arrays), event(arrays, "contacts")
     return Trace(
-        seed,
+        run.seed,
         len(harm),
+        run.summary.get(measures.goal),
         totals,
         rates,
         None if where is None else where[harm],
