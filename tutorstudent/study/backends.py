@@ -91,8 +91,9 @@ def _dask(address: str, workers: int) -> Iterator[Any]:
     distributed = import_module("distributed")
     try:
         client = distributed.Client(address) if address else distributed.Client(**_local(workers))
-    except (OSError, ValueError) as error:
-        raise PipelineError(f"--address {address}: dask does not answer: {error}. Is its scheduler running?") from None
+    except (OSError, ValueError, RuntimeError) as error:
+        where = f"at {address}, is its scheduler running?" if address else "on this machine."
+        raise PipelineError(f"--backend dask: no cluster {where} {type(error).__name__}: {error}") from None
     with client, joblib.parallel_config(backend="dask", client=client):
         try:
             yield joblib.Parallel(n_jobs=-1, return_as="generator_unordered", batch_size=1)
@@ -112,8 +113,9 @@ def _ray(address: str, workers: int) -> Iterator[Any]:
     import_module("ray.util.joblib").register_ray()
     try:
         ray.init(**({"address": address} if address else {"num_cpus": workers, "include_dashboard": False}))
-    except (OSError, ConnectionError, ValueError, RuntimeError) as error:
-        raise PipelineError(f"--address {address}: ray does not answer: {error}. Is its head running?") from None
+    except Exception as error:  # ray raises plain exceptions where a node does not start
+        where = f"at {address}, is its head running?" if address else "on this machine."
+        raise PipelineError(f"--backend ray: no cluster {where} {type(error).__name__}: {error}") from None
     try:
         with joblib.parallel_config(backend="ray"):
             # It cannot hand out results one by one: they come when all have ended.
