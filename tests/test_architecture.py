@@ -17,7 +17,7 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 CORE_ORDER = [
     {"errors"},
     {"actions"},
-    {"problems"},
+    {"problems", "binding"},
     {"proposals", "records", "component"},
     {"limits", "leaves", "interfaces", "world"},
     {"rendering", "guard", "wiring"},
@@ -26,7 +26,7 @@ CORE_ORDER = [
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlnodes", "yamlproblems"},
     {"yamlfile"},
-    {"registry", "adapters", "settings", "transplanting", "extending"},
+    {"registry", "adapters", "settings", "transplanting", "extending", "plainvalues"},
     {"assembly"},
     {"pipeline"},
     {"rundir", "schema"},

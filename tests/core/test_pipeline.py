@@ -67,7 +67,7 @@ def test_a_pipeline_builds_its_parts_under_their_slots() -> None:
         (
             "seed: 3",
             "on_tutor_failure: stop",
-            "p.yaml:1:1: on_tutor_failure: found 'stop'. Write 'raise' or an action, as in on_tutor_failure: {kind: rest}.",
+            "p.yaml:1:1: on_tutor_failure: found 'stop'. Write 'raise' or an action, as in on_tutor_failure: {",
         ),
         ("decisions: 50", "decisions: 2000000000", "p.yaml:2:1: decisions: pipeline: option 'decisions': input should"),
         ("seed: 3", "on_tutor_failure: {kind: stp}", "p.yaml:1:20: on_tutor_failure.kind: not a Push: option 'kind'"),

@@ -11,7 +11,7 @@ from tutorstudent.checks.outcome import CheckFailed, CheckSkipped, expect, said
 from tutorstudent.checks.usage import Usage
 from tutorstudent.core.component import part_role
 from tutorstudent.core.errors import PipelineError, TutorStudentError, listing
-from tutorstudent.core.pipeline import plain
+from tutorstudent.core.plainvalues import plain
 
 
 def is_described(usage: Usage) -> None:

@@ -16,7 +16,7 @@ from tutorstudent.checks.usage import Usage, answers, fresh
 from tutorstudent.core.assembly import Assembler
 from tutorstudent.core.component import Component
 from tutorstudent.core.errors import TutorStudentError
-from tutorstudent.core.pipeline import plain
+from tutorstudent.core.plainvalues import plain
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.yamlfile import Document
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import abc
-import hashlib
 from collections.abc import Iterator, Mapping
 from types import UnionType
 from typing import Annotated, Any, ClassVar, NamedTuple, TypeVar, Union, get_args, get_origin
@@ -22,6 +21,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, core_schema
 
 from tutorstudent.core.actions import Action
+from tutorstudent.core.binding import Binding, stream
 from tutorstudent.core.errors import ContractError, PipelineError, TutorStudentError, listing, suggestion
 from tutorstudent.core.problems import option_problems, refuse_truth
 
@@ -49,29 +49,6 @@ class Options(BaseModel):
     def _no_truth_for_a_number(cls, value: Any, info: ValidationInfo) -> Any:
         refuse_truth(cls.model_fields[str(info.field_name)].annotation, value)
         return value
-
-
-class Binding(NamedTuple):
-    """What a component is told once, when a pipeline is put together."""
-
-    seed: int
-    slot: str
-    """Where it stands, for example ``student.encoder``; keys random streams, learned state and messages."""
-    action: type[Action]
-    """The tutor's action class, so that a codec knows the kinds."""
-
-
-def stream(seed: int, slot: str) -> np.random.Generator:
-    """Return the random generator of a slot: the same seed and slot give the same numbers in any process.
-
-    >>> bool(stream(7, "student").random() == stream(7, "student").random())
-    True
-    >>> bool(stream(7, "student").random() == stream(7, "tutor").random())
-    False
-    """
-    digest = hashlib.sha256(slot.encode()).digest()
-    words = [int.from_bytes(digest[i : i + 4], "little") for i in range(0, 16, 4)]
-    return np.random.default_rng(np.random.SeedSequence([seed, *words]))
 
 
 class Component(abc.ABC):

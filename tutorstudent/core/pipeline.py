@@ -7,13 +7,11 @@ from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
 from pydantic import Field, ValidationError
-from pydantic_core import to_jsonable_python
 
 from tutorstudent.core.adapters import as_tutor
 from tutorstudent.core.assembly import Assembler
-from tutorstudent.core.component import Binding, Component, Options
+from tutorstudent.core.component import Binding, Options
 from tutorstudent.core.engine import Engine
 from tutorstudent.core.errors import PipelineError, listing, shown, suggestion
 from tutorstudent.core.extending import EXTENDS, read_extended
@@ -21,6 +19,7 @@ from tutorstudent.core.guard import OnIncident
 from tutorstudent.core.interfaces import Tutor
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.observers import Observer
+from tutorstudent.core.plainvalues import plain
 from tutorstudent.core.problems import option_problems
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.runner import check_world
@@ -203,26 +202,6 @@ def _check_given(given: Mapping[str, Any]) -> None:
                 f"there is no slot '{slot}' for a part of your own{suggestion(slot, allowed)}. "
                 f"Slots: {listing(allowed)}."
             )
-
-
-def plain(value: Any, where: str) -> Any:
-    """Return a description as what YAML and JSON can hold: paths and enums as their values, tuples as lists.
-
-    Raises:
-        PipelineError: if something in it has no such form; `where` stands for its place.
-    """
-    try:
-        return to_jsonable_python(value, fallback=_leftover)
-    except (TypeError, ValueError) as error:
-        raise PipelineError(f"{where}: cannot be written into a file: {error}") from None
-
-
-def _leftover(value: Any) -> Any:
-    if isinstance(value, np.generic | np.ndarray):
-        return value.tolist()
-    if isinstance(value, Component):
-        return value.describe()
-    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or components.")
 
 
 def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pipeline) -> dict[str, Any]:

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 from tutorstudent.core.leaves import Encoder
 from tutorstudent.core.observers import Entries
-from tutorstudent.core.pipeline import SLOTS, Pipeline, describe, plain
+from tutorstudent.core.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.plainvalues import plain
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.runner import trial_seed
 from tutorstudent.core.world import Sketch
