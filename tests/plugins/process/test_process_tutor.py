@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from pathlib import Path
 from typing import Any
@@ -192,6 +193,33 @@ def test_a_world_that_is_not_installed_is_told_like_any_other_part() -> None:
         ts.UnknownPlugin, match=r"p.yaml:1:37: tutor.action_of: no world named 'pionier' \(did you mean"
     ):
         Pipeline(document).engine()
+
+
+def test_elsewhere_than_on_posix_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(os, "killpg")
+    with pytest.raises(ts.PipelineError, match="tutor 'process' needs a POSIX system"):
+        tutor(["x"])
+
+
+def blocks(language: str) -> list[str]:
+    page = Path(__file__).parents[3] / "docs" / "process-protocol.md"
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+
+def test_the_pages_smallest_program_keeps_the_protocol() -> None:
+    part = tutor(python(blocks("python")[0]), deadline_s=20.0)
+    assert [0.5, -0.25] == pytest.approx([part.act(state).value for state in (10.0, 85.0)])
+    part.reset()
+    part.executed(part.action(value=0.5))
+    assert 0.1 == pytest.approx(part.act(50).value)
+    part.close()
+
+
+def test_the_pages_pipelines_are_sound() -> None:
+    whole, action = (parse_yaml(text, "page").data for text in blocks("yaml"))
+    assert DriveAction is Pipeline(parse_yaml("{}", "page")).registry.get("world", whole["tutor"]["action_of"])().action
+    options = {key: value for key, value in whole["tutor"].items() if key not in ("use", "action_of")}
+    assert ("push", "rest") == ProcessTutor(**options, **action).action.vocabulary.kinds
 
 
 def test_an_unbound_tutor_says_so() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -9,9 +10,10 @@ from typing import Any, ClassVar
 from pydantic import ValidationError
 
 from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Component, option_problems
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.component import Component
+from tutorstudent.core.errors import ContractError, PipelineError
 from tutorstudent.core.interfaces import Tutor
+from tutorstudent.core.problems import option_problems
 from tutorstudent.plugins.process import protocol
 from tutorstudent.plugins.process.keeper import Keeper
 from tutorstudent.plugins.process.options import ProcessOptions
@@ -46,8 +48,10 @@ class ProcessTutor(Tutor[Any, Any]):
         """Start the program.
 
         Raises:
-            PipelineError: It cannot be started, or does not say hello in time.
+            PipelineError: It cannot be started, or does not say hello in time, or this is no POSIX system.
         """
+        if not hasattr(os, "killpg"):
+            raise PipelineError("tutor 'process' needs a POSIX system: process groups and pipes with a deadline.")
         seed = int(self.rng.integers(2**31))
         self._keeper = Keeper(self.options, protocol.hello(self.action, seed))
         self._keeper.start()
