@@ -1,4 +1,4 @@
-"""The whole way of a third party, without a network: wheels, a fresh environment, `plugins new`, `list`, `check`, `run`."""
+"""The whole way of a third party, without a network: wheels, a fresh environment, and the commands of its README."""
 
 from __future__ import annotations
 
