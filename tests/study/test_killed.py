@@ -46,7 +46,7 @@ class Group:
         """Wait for the end, after a signal to the whole group where one is given."""
         if by:
             os.killpg(self.pid, by)
-        _, said = self._process.communicate(timeout=120)
+        _, said = self._process.communicate(timeout=600)
         return self._process.returncode, said
 
     def is_running(self) -> bool:

@@ -15,7 +15,7 @@ from tests.study.test_command import app
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.study import Plan, Study, load_plan, read_study, run_plan, save_plan
 from tutorstudent.study import jobs as jobs_module
-from tutorstudent.study.durable import remove_partial, whole_folder, write_whole
+from tutorstudent.study.durable import alone, remove_partial, whole_folder, write_whole
 
 Planned = Callable[..., Plan]
 
@@ -136,6 +136,13 @@ def test_what_was_not_finished_writing_is_removed(planned: Planned, folder: Path
     run_plan(plan, folder)
     assert before == results(folder)
     assert not list(folder.rglob(".*"))
+
+
+def test_two_processes_do_not_work_on_one_study(planned: Planned, folder: Path) -> None:
+    pytest.importorskip("fcntl")
+    with alone(folder), pytest.raises(PipelineError, match="another process works on this study; wait for it, or end"):
+        run_plan(planned("alone"), folder)
+    assert () == run_plan(planned("alone"), folder).failures
 
 
 def test_a_plan_that_was_not_finished_writing_is_no_study(planned: Planned, folder: Path) -> None:

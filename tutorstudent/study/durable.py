@@ -6,8 +6,11 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from uuid import uuid4
+
+from tutorstudent.core.errors import PipelineError
 
 PARTIAL = ".partial"
 """Ends the name of what is being written; it begins with a dot."""
@@ -44,6 +47,28 @@ def whole_folder(place: Path) -> Iterator[Path]:
     finally:
         shutil.rmtree(partial, ignore_errors=True)
     _sync_folder(place.parent)
+
+
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Keep two processes of one machine from working in one folder, where the system can; nothing is left behind.
+
+    Raises:
+        PipelineError: if another one does.
+    """
+    if find_spec("fcntl") is None:
+        yield
+        return
+    import fcntl
+
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError:
+        raise PipelineError(f"{folder}: another process works on this study; wait for it, or end it first.") from None
+    finally:
+        os.close(descriptor)
 
 
 def remove_partial(folder: Path) -> None:

@@ -11,7 +11,7 @@ from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import writing
 from tutorstudent.study.backends import LOKY, Backend, check_backend
 from tutorstudent.study.differences import differences
-from tutorstudent.study.durable import PARTIAL, remove_partial
+from tutorstudent.study.durable import PARTIAL, alone, remove_partial
 from tutorstudent.study.jobs import run_jobs
 from tutorstudent.study.levels import FOLDER, settled
 from tutorstudent.study.plan import Job, Plan
@@ -45,19 +45,15 @@ def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY
         backend: Who runs the jobs.
 
     Raises:
-        PipelineError: if the folder holds something else or cannot be written, or the backend is not there.
+        PipelineError: if the folder holds something else or cannot be written, another process works in it, or the
+            backend is not there.
     """
     check_backend(backend)
     begin(plan, folder)
-    sitting, workforce = Sitting(folder, workers), (workers, backend)
-    if plan.search is not None:
-        jobs = plan.search.plan.jobs()
-        _run(f"search for the best constant level by {plan.search.goal}", jobs, folder / FOLDER, sitting, workforce)
-        searched = find_levels(plan.search, folder)
+    with alone(folder):
         with writing(folder):
-            keep_levels(plan, searched, folder)
-        plan = settled(plan, searched)
-    _run(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
+            remove_partial(folder)
+        plan = _all(plan, folder, workers, backend)
     return read_study(folder, plan)
 
 
@@ -71,8 +67,6 @@ def begin(plan: Plan, folder: Path) -> None:
         there = (folder / FILE).exists()
     if there:
         check_same(plan, folder)
-        with writing(folder):
-            remove_partial(folder)
     else:
         check_folder(folder)
         with writing(folder):
@@ -124,6 +118,20 @@ def _draw(plan: Plan, folder: Path) -> None:
             sketch = sketch_of(reread(environment.name, values, registry))
             with writing(folder):
                 save_sketch(path, sketch)
+
+
+def _all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
+    """Run the search, if there is one, and then everything else; return the plan with what was found."""
+    sitting, workforce = Sitting(folder, workers), (workers, backend)
+    if plan.search is not None:
+        title = f"search for the best constant level by {plan.search.goal}"
+        _run(title, plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
+        searched = find_levels(plan.search, folder)
+        with writing(folder):
+            keep_levels(plan, searched, folder)
+        plan = settled(plan, searched)
+    _run(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
+    return plan
 
 
 def _run(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
