@@ -7,7 +7,7 @@ import pytest
 
 from tutorstudent_prototype2.calibration import walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
-from tutorstudent_prototype2.calibration.choices import CHOICES, START, moved, setting_of
+from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, moved, setting_of
 from tutorstudent_prototype2.calibration.freezing import Candidate, freeze, load_candidates, save_candidates
 from tutorstudent_prototype2.calibration.places import APART_M, WALL_M, Floor, inside, to_outline_m
 from tutorstudent_prototype2.calibration.predictive import (
@@ -30,11 +30,12 @@ def like_the_thesis(scene: str) -> Counts:
     return FREE._replace(attractors=row.attractors, collided=row.collisions)
 
 
-def test_every_step_stays_within_the_bounds():
+@pytest.mark.parametrize("stride", [WIDE, NARROW])
+def test_every_step_stays_within_the_bounds(stride):
     rng = np.random.default_rng(1)
     choices = dict(START)
     for _ in range(2000):
-        choices = moved(choices, rng)
+        choices = moved(choices, stride, rng)
 
         assert all(CHOICES[name].low <= value <= CHOICES[name].high for name, value in choices.items())
 
@@ -43,7 +44,7 @@ def test_walks_reach_all_of_a_range_and_favour_no_part_of_it():
     rng = np.random.default_rng(2)
     choices, seen = dict(START), []
     for _ in range(20_000):
-        choices = moved(choices, rng)
+        choices = moved(choices, WIDE, rng)
         seen.append(choices["tutor.rotation"])
     low, high = CHOICES["tutor.rotation"].low, CHOICES["tutor.rotation"].high
     share, _ = np.histogram(seen, bins=5, range=(low, high))
@@ -88,7 +89,7 @@ def test_boxes_stand_on_free_floor_apart_from_each_other():
     rng = np.random.default_rng(3)
     places = [(50.0, 20.0), (20.0, 80.0), (80.0, 80.0)]
     for _ in range(50):
-        places = floor.moved(places, rng)
+        places = floor.moved(places, 1 / 6, rng)
         metres = [(x * 0.15, y * 0.15) for x, y in places]
 
         assert all(min(x, y, 15 - x, 15 - y) > WALL_M - 1e-9 for x, y in metres)

@@ -19,8 +19,16 @@ FULL_TURN_DEGPS = 65.0
 """Not free: clock and speeds as measured in the thesis's simulator, and the defaults of the world."""
 
 
-STEP = 0.2
-"""Standard deviation of a step, as a part of the range."""
+class Stride(NamedTuple):
+    """How far a walk looks."""
+
+    step: float
+    """Standard deviation of a step, as a part of a choice's range."""
+    changed: float
+    """Probability that a choice is changed; half of that for the place of a box."""
+
+
+WIDE, NARROW = Stride(0.2, 1 / 3), Stride(0.08, 1 / 6)
 
 
 class Range(NamedTuple):
@@ -30,14 +38,14 @@ class Range(NamedTuple):
     high: float
     logarithmic: bool = False
 
-    def moved(self, value: float, rng: np.random.Generator) -> float:
+    def moved(self, value: float, step: float, rng: np.random.Generator) -> float:
         """Return a value near another one, as probable from there as this is from here; bounds reflect.
 
         It has five significant digits, so that a setting can be written down whole.
         """
         low, high = (math.log(self.low), math.log(self.high)) if self.logarithmic else (self.low, self.high)
         here = math.log(value) if self.logarithmic else value
-        there = reflected(here + STEP * (high - low) * float(rng.standard_normal()), low, high)
+        there = reflected(here + step * (high - low) * float(rng.standard_normal()), low, high)
         return float(f"{math.exp(there) if self.logarithmic else there:.5g}")
 
 
@@ -47,7 +55,7 @@ class Whole(NamedTuple):
     low: int
     high: int
 
-    def moved(self, value: float, rng: np.random.Generator) -> int:
+    def moved(self, value: float, step: float, rng: np.random.Generator) -> int:
         """Return a neighbour, or the value itself where a bound is in the way."""
         return min(self.high, max(self.low, int(value) + int(rng.choice((-1, 1)))))
 
@@ -96,14 +104,11 @@ START: Choices = {
 }
 """Where every walk begins: the best setting of an earlier calibration in another simulator, on prototype 2 too."""
 
-CHANGED = 1 / 3
-"""Probability that a choice is changed in a step."""
 
-
-def moved(choices: Choices, rng: np.random.Generator) -> dict[str, float]:
-    """Return a neighbour: each choice is changed with probability `CHANGED`."""
+def moved(choices: Choices, stride: Stride, rng: np.random.Generator) -> dict[str, float]:
+    """Return a neighbour."""
     return {
-        name: choice.moved(choices[name], rng) if rng.random() < CHANGED else choices[name]
+        name: choice.moved(choices[name], stride.step, rng) if rng.random() < stride.changed else choices[name]
         for name, choice in CHOICES.items()
     }
 

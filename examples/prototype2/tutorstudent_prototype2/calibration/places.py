@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 Point = tuple[float, float]
 Outline = Sequence[Point]
 
-CHANGED = 1 / 6
-"""Probability that a box is moved in a step."""
 WALL_M = 0.9
 APART_M = 2.5
 FROM_STARTS_M = 2.0
@@ -28,14 +26,14 @@ class Floor(NamedTuple):
     """Where robots start."""
     side_m: float
 
-    def moved(self, places: Sequence[Point], rng: np.random.Generator) -> list[Point]:
-        """Return the places of boxes after each was moved with probability `CHANGED` to anywhere that is free.
+    def moved(self, places: Sequence[Point], changed: float, rng: np.random.Generator) -> list[Point]:
+        """Return the places of boxes after each was moved with a probability to anywhere that is free.
 
         Places are in percent of the side, with one decimal.
         """
         found = list(places)
         for i in range(len(found)):
-            if rng.random() < CHANGED:
+            if rng.random() < changed:
                 found[i] = self._anywhere(found[:i] + found[i + 1 :], rng)
         return found
 

@@ -22,13 +22,15 @@ import numpy as np
 from joblib import Parallel, delayed
 
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, agrees, limits
-from tutorstudent_prototype2.calibration.choices import START, moved, setting_of
+from tutorstudent_prototype2.calibration.choices import NARROW, START, WIDE, moved, setting_of
 from tutorstudent_prototype2.calibration.places import Floor, Point
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
 from tutorstudent_prototype2.pipelines import load
 
 FIRST_SEED = 100_000
 """Seeds of the search; the seeds of reports are below 1,000."""
+WIDE_ROUNDS = 25
+"""Walks begin with wide strides, to leave the start; then strides are narrow, so that more looks agree."""
 SIDE_M = 15.0
 START_PLACES = ((7, 58), (70, 8), (75, 82), (36, 83), (92, 35), (34, 17))
 """Where the boxes of the shipped scenes stand, percent of the side."""
@@ -69,7 +71,9 @@ def start(walk: int) -> Look:
 def neighbour(here: Look, number: int) -> Look:
     """Return the setting that a walk looks at next, in round `number`."""
     rng = np.random.default_rng([FIRST_SEED, here.walk, number])
-    return Look(here.walk, number, moved(here.choices, rng), _floor().moved(here.box_places, rng), {})
+    stride = WIDE if number <= WIDE_ROUNDS else NARROW
+    choices = moved(here.choices, stride, rng)
+    return Look(here.walk, number, choices, _floor().moved(here.box_places, stride.changed / 2, rng), {})
 
 
 def tried(look: Look) -> Look:
