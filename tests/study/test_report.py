@@ -10,8 +10,10 @@ import pytest
 
 from tests.study.made import made
 from tests.study.test_latex import body, check
+from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
 from tutorstudent.study.comparisons import families
+from tutorstudent.study.extras import check_extras
 from tutorstudent.study.jobs import run_jobs
 from tutorstudent.study.planning import make_plan
 from tutorstudent.study.report import write_report
@@ -100,3 +102,9 @@ def test_names_with_commas_and_quotes_are_one_field(tmp_path: Path) -> None:
 def test_a_study_without_runs_has_a_header_only(tmp_path: Path) -> None:
     write_differences(tmp_path / "d.csv", [])
     assert ",".join(HEADER) + "\n" == (tmp_path / "d.csv").read_text(encoding="utf-8")
+
+
+def test_a_report_without_scipy_is_refused_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tutorstudent.study.extras.find_spec", lambda name: None if name == "scipy" else object())
+    with pytest.raises(PipelineError, match=r"needs scipy; install it with: pip install 'tutorstudent\[study\]'"):
+        check_extras()
