@@ -6,10 +6,11 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check format lint types tests soak bench install docs clean
+.PHONY: help demo picture compare test check format lint types tests soak bench install docs clean \
+	reproduce reproduce-smoke intervals transplant heldout
 
 help: ## say what there is
-	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
+	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
 $(VENV)/bin/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "tutorstudent needs Python 3.11 or newer; say make PYTHON=...")'
@@ -21,6 +22,10 @@ $(VENV)/.demo: pyproject.toml | $(VENV)/bin/python
 
 $(VENV)/.dev: pyproject.toml | $(VENV)/bin/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	touch $@ $(VENV)/.demo
+
+$(VENV)/.prototype2: pyproject.toml examples/prototype2/pyproject.toml | $(VENV)/bin/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[bullet,study]' -e examples/prototype2
 	touch $@ $(VENV)/.demo
 
 install: $(VENV)/.dev ## set up the virtual environment with everything
@@ -38,6 +43,23 @@ compare: $(VENV)/.demo ## 10 paired seeds with controls in the four environments
 	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml $(PIPELINES)/streamlined.yaml \
 		--vary world.scene=chase-avoid,cave-box,cave-predator-prey,cave-predator-prey-box \
 		--runs 10 --decisions 10000 --workers $(WORKERS) --out studies/compare
+
+PROTOTYPE2 = $(BIN)/tutorstudent-prototype2 $(1) --workers $(WORKERS) --out studies/$@
+
+reproduce: $(VENV)/.prototype2 ## the thesis's tables 2 to 9 beside ours; goes on where it was stopped
+	$(call PROTOTYPE2,reproduce)
+
+reproduce-smoke: $(VENV)/.prototype2 ## the same with 2 runs of 500 decisions, to see that all works
+	$(call PROTOTYPE2,reproduce --runs 2 --decisions 500)
+
+intervals: $(VENV)/.prototype2 ## in which decisions learning takes place (5.2.5); goes on where it was stopped
+	$(call PROTOTYPE2,intervals)
+
+transplant: $(VENV)/.prototype2 ## students carried from Cave-Box into Cave-Predator-Prey-Box (5.2.3); resumable too
+	$(call PROTOTYPE2,transplant)
+
+heldout: $(VENV)/.prototype2 ## a scene that no calibration has seen; resumable too
+	$(call PROTOTYPE2,heldout)
 
 test: check ## all checks: format, lint, types, tests with warnings as errors
 check: format lint types docs tests
