@@ -125,11 +125,11 @@ def _with_best(place: Environment, tried: Environment, searched: Searched) -> En
     if found is None or BEST in [variant.name for variant in place.variants]:
         return place
     winner = next(variant for variant in tried.variants if variant.name == candidate(found.level))
-    about = f"{_about(found, searched)} {winner.about}"
+    about = f"{winner.about} {_reason(found, searched)}"
     return place._replace(variants=(*place.variants, Variant(BEST, about, True, winner.pipeline, winner.counters)))
 
 
-def _about(found: Level, searched: Searched) -> str:
+def _reason(found: Level, searched: Searched) -> str:
     limit = searched.limit(found.environment)
     seeds = ", ".join(map(str, searched.seeds))
     kept = (
@@ -138,6 +138,6 @@ def _about(found: Level, searched: Searched) -> str:
         else f"the one that violates least, since none keeps to {limit:.2%} of decisions"
     )
     return (
-        f"No learning: level {found.level} in every decision. Of levels {LEVELS[0]} to {LEVELS[-1]} it is {kept}, "
-        f"in runs of their own (seed{'s' if len(searched.seeds) > 1 else ''} {seeds})."
+        f"Of levels {LEVELS[0]} to {LEVELS[-1]} it is {kept}, in runs of their own "
+        f"(seed{'s' if len(searched.seeds) > 1 else ''} {seeds})."
     )

@@ -124,8 +124,7 @@ def _all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     """Run the search, if there is one, and then everything else; return the plan with what was found."""
     sitting, workforce = Sitting(folder, workers), (workers, backend)
     if plan.search is not None:
-        title = f"search for the best constant level by {plan.search.goal}"
-        _run(title, plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
+        _run("search: constant levels", plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
         searched = find_levels(plan.search, folder)
         with writing(folder):
             keep_levels(plan, searched, folder)
