@@ -171,7 +171,8 @@ def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart
     one, other = control.about.split(" In long: ")
     assert one == (
         "In short: No learning: level 3 in every decision. A control of full. Of levels 1 to 8 it is the one with the "
-        "highest mean 'turns' among those with at most 0.10% of decisions violated, in runs of their own (seed 1000000)."
+        "highest mean 'turns' among those with at most 0.10% of decisions violated, in runs of their own "
+        "(seed 1000000)."
     )
     assert other.startswith("No learning: level 8 in every decision. A control of full. Of levels ")
     assert "among those with at most 50.00% of decisions violated, in runs of their own (seed 1000000)." in other
