@@ -116,7 +116,15 @@ def test_states_that_were_given_by_hand_stay_in_this_process() -> None:
         (["prototipe2"], "no part named 'prototipe2' (did you mean 'prototype2'?). Installed: "),
         (["prototype2", "--role", "tuter"], "--role tuter: no such role (did you mean 'tutor'?). Roles: "),
         (["bumped", "--role", "tutor"], "no tutor named 'bumped'."),
-        (["backprop"], "plugins check backprop: encoder: student 'backprop': option 'encoder' is required."),
+        (
+            ["backprop"],
+            "student 'backprop' needs the options encoder; give each with --set, as in --set encoder=... (enc",
+        ),
+        (
+            ["sklearn"],
+            "needs the options encoder, estimator; give each with --set, as in --set encoder=... (encoders: ",
+        ),
+        (["backprop", "--set", "encodr=1"], "unknown option 'encodr' (did you mean 'encoder'?)"),
         (["near", "--set", "clearence_m=1"], "unknown option 'clearence_m' (did you mean 'clearance_m'?)"),
         (["near", "--set", "nonsense"], "--set nonsense: write key=value"),
         (["near", "--world", "pioner"], "no world named 'pioner' (did you mean 'pioneer'?)"),

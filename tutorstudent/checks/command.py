@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, Any
 
 import typer
 
 from tutorstudent.checks.catalogue import checks_of
 from tutorstudent.checks.process import make
 from tutorstudent.checks.report import run_checks
+from tutorstudent.core.component import Component, part_role
 from tutorstudent.core.errors import PipelineError, UnknownPlugin, listing, suggestion
 from tutorstudent.core.registry import ROLES, Registry
 from tutorstudent.core.settings import read_settings, set_value
@@ -27,14 +29,33 @@ def check(
     """Check that a part does what its role promises: says what was expected, what was seen and what to do."""
     registry = Registry.discover()
     found = find_role(registry, name, role)
-    values = {"use": name}
+    values: dict[str, Any] = {"use": name}
     for key, value in read_settings("--set", settings or []).items():
         set_value(values, key, value, f"plugins check {name}")
+    check_required(registry, registry.get(found, name), values)
     where = None if world is None else make(registry, "world", {"use": world}, "--world")
     report = run_checks(checks_of(make(registry, found, values, f"plugins check {name}"), world=where))
     typer.echo(json.dumps(report.as_json(), indent=2) if as_json else "\n".join(report.lines()))
     if report.of("failed"):
         raise typer.Exit(1)
+
+
+def check_required(registry: Registry, cls: type[Component], values: Mapping[str, Any]) -> None:
+    """Say how to give the options that a part cannot be made without.
+
+    Raises:
+        PipelineError: if one is missing, and none is misspelt.
+    """
+    fields = cls.Options.model_fields
+    missing = [name for name, field in fields.items() if field.is_required() and name not in values]
+    if not missing or not set(values) - {"use"} <= set(fields):
+        return
+    role = part_role(fields[missing[0]].annotation, list(fields[missing[0]].metadata))
+    known = f" ({role.role}s: {listing(item.cls.name for item in registry.of(role.role))})" if role else ""
+    raise PipelineError(
+        f"{cls.role} '{cls.name}' needs the options {listing(missing)}; give each with --set, "
+        f"as in --set {missing[0]}=...{known}."
+    )
 
 
 def find_role(registry: Registry, name: str, role: str | None) -> str:
