@@ -26,10 +26,11 @@ CORE_ORDER = [
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlnodes", "yamlproblems"},
     {"yamlfile"},
+    {"loading"},
     {"registry", "adapters", "settings", "transplanting", "extending", "plainvalues"},
     {"assembly"},
     {"pipeline"},
-    {"rundir", "schema"},
+    {"rundir", "schema", "optiontable"},
 ]
 RANK = {name: rank for rank, names in enumerate(CORE_ORDER) for name in names}
 FORBIDDEN = {

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import sys
+import traceback
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, NoReturn
 
 import typer
 from rich.console import Console
@@ -15,18 +17,20 @@ from rich.text import Text
 
 from tutorstudent.checks.command import check
 from tutorstudent.core.errors import TutorStudentError
+from tutorstudent.core.loading import TRACE
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import prepare, run_pipeline, write_run
+from tutorstudent.core.rundir import prepare, run_pipeline, write_run, writing
 from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.settings import read_settings
+from tutorstudent.plugin_info import info
+from tutorstudent.plugin_list import plugins_list
 from tutorstudent.progress import ProgressBar
 from tutorstudent.study.command import compare, report
 from tutorstudent.templates.command import new
 
 app = typer.Typer(
     name="tutorstudent",
-    help="Wrap a controller that already works with a learner, so that it improves while it stays in command.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     add_completion=False,
@@ -35,6 +39,8 @@ plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
 app.add_typer(plugins, name="plugins")
 app.command()(compare)
 app.command()(report)
+plugins.command("list")(plugins_list)
+plugins.command("info")(info)
 plugins.command("check")(check)
 plugins.command("new")(new)
 
@@ -42,7 +48,20 @@ PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="another value for a dotted key; repeatable")
 ]
-AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
+VERBOSE = "TUTORSTUDENT_VERBOSE"
+
+
+@app.callback()
+def everywhere(
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="show the traceback of a mistake too")] = False,
+    trace: Annotated[
+        bool, typer.Option("--trace", help="tell every call of a plugin's hook on standard error")
+    ] = False,
+) -> None:
+    """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
+    for name, wanted in ((VERBOSE, verbose), (TRACE, trace)):  # worker processes heed it too
+        if wanted:
+            os.environ[name] = "1"
 
 
 @app.command()
@@ -73,48 +92,19 @@ def run(
         raise typer.Exit(1)
 
 
-@plugins.command("list")
-def plugins_list(as_json: AsJson = False) -> None:
-    """List the installed components, and the plugins that could not be loaded with reason and remedy."""
-    registry = Registry.discover()
-    if as_json:
-        _say(json.dumps(_listing(registry), indent=2))
-        return
-    table = Table("role", "name", "plugin", "distribution", "what it is")
-    for cls, entry_point, distribution in registry:
-        table.add_row(*map(Text, (cls.role, cls.name, entry_point, distribution, _first_line(cls))))
-    Console().print(table)
-    for broken in registry.broken:
-        _say(f"not loaded: '{broken.entry_point}' ({broken.distribution}): {broken.reason} {broken.remedy}")
-
-
 @app.command()
-def schema() -> None:
+def schema(
+    out: Annotated[Path | None, typer.Option(help="write it to this file, and say how a pipeline names it")] = None,
+) -> None:
     """Print a JSON Schema of pipelines, composed from the installed plugins."""
-    _say(json.dumps(pipeline_schema(Registry.discover()), indent=2))
-
-
-def _listing(registry: Registry) -> dict[str, Any]:
-    return {
-        "components": [
-            {
-                "role": cls.role,
-                "name": cls.name,
-                "plugin": entry_point,
-                "distribution": distribution,
-                "description": _first_line(cls),
-            }
-            for cls, entry_point, distribution in registry
-        ],
-        "broken": [
-            {"plugin": plugin, "distribution": distribution, "reason": reason, "remedy": remedy}
-            for plugin, distribution, reason, remedy, _ in registry.broken
-        ],
-    }
-
-
-def _first_line(cls: type[Any]) -> str:
-    return (cls.__doc__ or "").strip().split("\n")[0]
+    text = json.dumps(pipeline_schema(Registry.discover()), indent=2)
+    if out is None:
+        _say(text)
+        return
+    with writing(out):
+        out.write_text(f"{text}\n", encoding="utf-8")
+    _say(f"written to {out}; editors use it where a pipeline begins with the line")
+    _say(f"# yaml-language-server: $schema={out.name}")
 
 
 def _print_summary(summary: dict[str, float]) -> None:
@@ -134,6 +124,8 @@ def main() -> NoReturn:
     try:
         app()
     except TutorStudentError as error:
+        if os.environ.get(VERBOSE):
+            traceback.print_exc()
         typer.echo(f"tutorstudent: {error}", err=True)
         sys.exit(2)
     sys.exit(0)

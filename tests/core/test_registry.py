@@ -14,7 +14,8 @@ from tutorstudent.core.component import Component
 from tutorstudent.core.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin
 from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.registry import ALLOW_LIST, Registry
+from tutorstudent.core.loading import ALLOW_LIST
+from tutorstudent.core.registry import Registry
 
 
 class Abstract(Tutor[Any, Any]):
@@ -84,7 +85,8 @@ def test_the_shipped_plugins_all_load() -> None:
     ],
 )
 def test_every_role_has_its_shipped_components(role: str, names: set[str]) -> None:
-    assert names == {installed.cls.name for installed in Registry.discover().of(role)}
+    found = Registry.discover().of(role)
+    assert names <= {installed.cls.name for installed in found if installed.distribution.startswith("tutorstudent ")}
 
 
 def test_a_third_party_is_found(plugin: Any) -> None:
@@ -124,14 +126,21 @@ def test_an_import_error_names_what_is_missing() -> None:
     assert "Traceback" in registry.broken[0].trace
 
 
-@pytest.mark.parametrize("error", [SystemExit, RuntimeError, BaseException])
-def test_a_hook_that_raises_anything_stops_nobody(plugin: Any, error: type[BaseException]) -> None:
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [
+        (SystemExit, "it ended the program while it was loaded (SystemExit: boom)."),
+        (RuntimeError, "RuntimeError: boom"),
+        (BaseException, "BaseException: boom"),
+    ],
+)
+def test_a_hook_that_raises_anything_stops_nobody(plugin: Any, error: type[BaseException], reason: str) -> None:
     @hookimpl
     def tutorstudent_components() -> list[Any]:
         raise error("boom")
 
     registry = Registry.discover([plugin("bad", tutorstudent_components=tutorstudent_components)])
-    assert f"{error.__name__}: boom" == registry.broken[0].reason
+    assert reason == registry.broken[0].reason
 
 
 def test_the_second_of_one_name_is_broken_as_a_whole(plugin: Any) -> None:
@@ -157,7 +166,7 @@ def test_adding_a_name_twice_is_refused() -> None:
 def test_an_unknown_name_says_what_is_there_and_what_was_meant() -> None:
     with pytest.raises(UnknownPlugin) as caught:
         Registry.discover().get("tutor", "protoype2")
-    assert "no tutor named 'protoype2' (did you mean 'prototype2'?). Installed: prototype2." in str(caught.value)
+    assert "no tutor named 'protoype2' (did you mean 'prototype2'?). Installed: " in str(caught.value)
 
 
 def test_a_name_of_another_role_is_told_apart() -> None:

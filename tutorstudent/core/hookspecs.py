@@ -9,6 +9,11 @@ import pluggy
 from tutorstudent.core.component import Component
 
 PROJECT = "tutorstudent"
+API = 1
+"""The version of what plugins build on: the hook, the roles and their records. A plugin module may say which one it is
+written for with ``tutorstudent_api = 1``; where it does not, that is taken to be this one."""
+OLDEST_API = 1
+"""The oldest version that is still understood."""
 hookspec = pluggy.HookspecMarker(PROJECT)
 hookimpl = pluggy.HookimplMarker(PROJECT)
 

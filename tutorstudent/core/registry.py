@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 import inspect
-import os
 import re
 import traceback
 from collections.abc import Iterable, Iterator
 from importlib import metadata
 from typing import NamedTuple
 
-import pluggy
-
-from tutorstudent.core import hookspecs
 from tutorstudent.core.component import Component
-from tutorstudent.core.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin, listing, suggestion
+from tutorstudent.core.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin, an, listing, suggestion
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.leaves import Change, Codec, Condition, Encoder
+from tutorstudent.core.loading import (
+    Broken,
+    allowed,
+    components,
+    diagnosis,
+    distribution_of,
+    doubled,
+    installed_entry_points,
+    is_ours,
+)
 from tutorstudent.core.observers import Observer
 from tutorstudent.core.world import World
 
-GROUP = hookspecs.PROJECT
-ALLOW_LIST = "TUTORSTUDENT_LOAD_PLUGINS"
-UNKNOWN = "unknown distribution"
 ROLES: dict[str, type[Component]] = {
     role.role: role
     for role in (
@@ -50,16 +53,6 @@ class Installed(NamedTuple):
     distribution: str
 
 
-class Broken(NamedTuple):
-    """One entry point that could not be used, and why."""
-
-    entry_point: str
-    distribution: str
-    reason: str
-    remedy: str
-    trace: str
-
-
 class Registry:
     """The components of all entry points, by role and name. An instance, handed about; nothing is global."""
 
@@ -71,30 +64,32 @@ class Registry:
     def discover(cls, entry_points: Iterable[metadata.EntryPoint] | None = None) -> Registry:
         """Return a registry of all installed plugins.
 
-        The environment variable TUTORSTUDENT_LOAD_PLUGINS limits the third parties' to the entry points that it names,
-        separated by commas.
+        The environment variable TUTORSTUDENT_LOAD_PLUGINS limits the third parties' to the distributions and entry
+        points that it names, separated by commas; where it is empty, none of theirs is loaded. With
+        TUTORSTUDENT_TRACE=1 every call of a hook is told on standard error.
         """
         registry = cls()
-        found = metadata.entry_points(group=GROUP) if entry_points is None else entry_points
-        allowed = os.environ.get(ALLOW_LIST)
-        names = None if allowed is None else {name.strip() for name in allowed.split(",")}
-        for entry_point in sorted(found, key=lambda ep: (not _ours(ep), _distribution(ep), ep.name)):
-            if names is None or _ours(entry_point) or entry_point.name in names:
+        found = installed_entry_points(registry.broken) if entry_points is None else entry_points
+        for entry_point in sorted(found, key=lambda ep: (not is_ours(ep), distribution_of(ep), ep.name)):
+            if is_ours(entry_point) or allowed(entry_point):
                 registry.load(entry_point)
         return registry
 
     def load(self, entry_point: metadata.EntryPoint) -> None:
         """Add the components of one entry point: all of them, or none and a `Broken` record."""
-        distribution = _distribution(entry_point)
+        distribution = distribution_of(entry_point)
         try:
-            classes = list(_components(entry_point))
+            classes = list(components(entry_point))
             for cls in classes:
                 self._check(cls, entry_point.name)
-            _check_doubles(classes, entry_point.name)
+            if twice := doubled(classes):
+                raise DuplicatePlugin(
+                    f"{twice.role} '{twice.name}' of '{entry_point.name}' stands there twice; rename one of them."
+                )
         except KeyboardInterrupt:
             raise
         except BaseException as error:
-            reason, remedy = _diagnosis(error, distribution)
+            reason, remedy = diagnosis(error, distribution)
             self.broken.append(Broken(entry_point.name, distribution, reason, remedy, traceback.format_exc()))
             return
         for cls in classes:
@@ -121,16 +116,19 @@ class Registry:
                     f"loaded: {broken.reason} {broken.remedy}"
                 )
         known = [installed.cls.name for installed in self.of(role)]
-        others = ", ".join(f"'{broken.entry_point}' ({broken.distribution})" for broken in self.broken)
-        hint = f" These plugins could not be loaded and may provide it: {others}." if others else ""
+        hint = self.suspects()
         elsewhere = [found_role for found_role, found_name in self._found if found_name == name]
         if elsewhere:
-            hint = f" There is a {elsewhere[0]} of that name.{hint}"
-        article = "an" if role[0] in "aeiou" else "a"
+            hint = f" There is {an(elsewhere[0])} of that name.{hint}"
         raise UnknownPlugin(
             f"no {role} named '{name}'{suggestion(name, known)}. Installed: {listing(known)}.{hint} "
-            f"`tutorstudent plugins list` shows all; a package with {article} {role} is installed with pip."
+            f"`tutorstudent plugins list` shows all; a package with {an(role)} is installed with pip."
         )
+
+    def suspects(self) -> str:
+        """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
+        others = ", ".join(f"'{broken.entry_point}' ({broken.distribution})" for broken in self.broken)
+        return f" These plugins could not be loaded and may provide it: {others}." if others else ""
 
     def of(self, role: str) -> list[Installed]:
         """Return the components of a role, by name."""
@@ -155,50 +153,3 @@ class Registry:
                 f"{cls.role} '{cls.name}' of '{entry_point}' is already there, from "
                 f"'{taken.entry_point}' ({taken.distribution}); rename one of them."
             )
-
-
-def _components(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
-    # A plugin manager for each entry point: what one of them registers cannot disturb the next.
-    manager = pluggy.PluginManager(hookspecs.PROJECT)
-    manager.add_hookspecs(hookspecs)
-    manager.register(entry_point.load(), name=entry_point.name)
-    manager.check_pending()
-    if not manager.hook.tutorstudent_components.get_hookimpls():
-        raise BrokenPlugin(
-            f"'{entry_point.value}' has no hook tutorstudent_components() marked with @tutorstudent.hookimpl."
-        )
-    answers = manager.hook.tutorstudent_components()
-    if len(answers) != 1 or not isinstance(answers[0], list | tuple | set | frozenset):
-        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of component classes.")
-    yield from answers[0]
-
-
-def _check_doubles(classes: list[type[Component]], entry_point: str) -> None:
-    seen: set[tuple[str, str]] = set()
-    for cls in classes:
-        if (cls.role, cls.name) in seen:
-            raise DuplicatePlugin(f"{cls.role} '{cls.name}' of '{entry_point}' stands there twice; rename one of them.")
-        seen.add((cls.role, cls.name))
-
-
-def _ours(entry_point: metadata.EntryPoint) -> bool:
-    return entry_point.dist is not None and entry_point.dist.name == GROUP
-
-
-def _distribution(entry_point: metadata.EntryPoint) -> str:
-    dist = entry_point.dist
-    return f"{dist.name} {dist.version}" if dist is not None else UNKNOWN
-
-
-def _diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
-    package = "its package" if distribution == UNKNOWN else distribution.split()[0]
-    if isinstance(error, ModuleNotFoundError):
-        return (
-            f"{error.msg}.",
-            f"Install '{error.name}' (perhaps as an extra of {package}), or uninstall {package}.",
-        )
-    if isinstance(error, pluggy.PluginValidationError):
-        return f"{error}".strip(), f"The hook is called tutorstudent_components() and takes nothing; tell {package}."
-    if isinstance(error, BrokenPlugin | DuplicatePlugin):
-        return str(error), f"Tell the authors of {package}, or uninstall it."
-    return f"{type(error).__name__}: {error}", f"Tell the authors of {package}, or uninstall it."
