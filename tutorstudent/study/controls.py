@@ -64,6 +64,7 @@ def _constant(resolved: Resolved, name: str, about: str, level: int) -> Control:
 def _replacing(resolved: Resolved, name: str, about: str, student: dict[str, Any]) -> Control:
     reins = {
         "student": student,
+        "learned": None,  # what the learner begins with, no other student could take
         "selector": {"use": "modifier"},
         "amplifier": {"use": "never", "amount": resolved.amount, "change": resolved.change},
     }
