@@ -63,6 +63,7 @@ def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path]
     told = " ".join(result.output.split())
     assert "failed: short, full, seed 5: RuntimeError: the wall fell down" in told
     assert "1 runs, 1 failed." in told
+    assert "What failed is run again by: tutorstudent compare --resume --out " in told
 
 
 @pytest.mark.usefixtures("registry")

@@ -25,11 +25,12 @@ from typing import TYPE_CHECKING, Any
 
 from tutorstudent.study.backends import Backend
 from tutorstudent.study.jobs import Finished, run_jobs
+from tutorstudent.study.levels import Searched
 from tutorstudent.study.plan import Environment, Job, Plan, Search, Variant
 from tutorstudent.study.planfile import load_plan, save_plan
 from tutorstudent.study.planning import make_plan
 from tutorstudent.study.requests import Request, Setting, read_pipelines, read_setting, read_variation
-from tutorstudent.study.results import Failure, Run, Study, read_runs, read_study
+from tutorstudent.study.results import Failure, Run, Study, pending, read_runs, read_study
 from tutorstudent.study.studies import run_plan, run_study
 
 if TYPE_CHECKING:
@@ -45,11 +46,13 @@ __all__ = [
     "Request",
     "Run",
     "Search",
+    "Searched",
     "Setting",
     "Study",
     "Variant",
     "load_plan",
     "make_plan",
+    "pending",
     "read_pipelines",
     "read_runs",
     "read_setting",

@@ -65,11 +65,16 @@ def compare(
     try:
         study = run_study(plan, out, workers, workforce)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; go on with: tutorstudent compare --resume --out {shlex.quote(str(out))}", err=True)
+        typer.echo(f"interrupted; go on with: {_resume(out)}", err=True)
         raise typer.Exit(INTERRUPTED) from None
     show(study)
     if study.failures:
+        typer.echo(f"What failed is run again by: {_resume(out)}", err=True)
         raise typer.Exit(1)
+
+
+def _resume(out: Path) -> str:
+    return f"tutorstudent compare --resume --out {shlex.quote(str(out))}"
 
 
 class Wish(NamedTuple):
