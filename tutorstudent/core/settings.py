@@ -21,7 +21,7 @@ def key_and_text(option: str, text: str) -> tuple[str, str]:
         PipelineError: if it is not of that form.
     """
     key, equals, value = text.partition("=")
-    if not equals or not key.strip():
+    if not equals or not all(word.strip() for word in key.split(".")):
         raise PipelineError(f"{option} {text}: write key=value, as in {option} world.scene=cave-box.")
     return key.strip(), value
 
