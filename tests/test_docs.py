@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import inspect
+import io
 import re
 import shlex
 import sys
@@ -52,6 +53,7 @@ def run_commands(text: str, capsys: pytest.CaptureFixture[str], monkeypatch: pyt
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: str(page.relative_to(DOCS)))
 def test_the_code_of_every_page_runs(page, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "stdin", io.StringIO())
     for other in PAGES:
         for language, text in blocks(other):
             if language == "yaml" and (name := re.match(r"# (\S+\.yaml)\n", text)):
