@@ -30,7 +30,8 @@ CORE_ORDER = [
     {"registry", "adapters", "settings", "transplanting", "extending", "plainvalues"},
     {"assembly"},
     {"pipeline"},
-    {"rundir", "schema", "optiontable"},
+    {"rundir", "optiontable"},
+    {"schema"},
 ]
 RANK = {name: rank for rank, names in enumerate(CORE_ORDER) for name in names}
 FORBIDDEN = {
@@ -39,6 +40,7 @@ FORBIDDEN = {
     "sims": ("tutorstudent.plugins", "tutorstudent.study", "tutorstudent.cli"),
     "study": ("tutorstudent.cli",),
     "checks": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
+    "templates": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
 }
 HEAVY = ("pybullet", "sklearn", "joblib", "scipy", "matplotlib", "gymnasium")
 

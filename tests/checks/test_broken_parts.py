@@ -120,7 +120,7 @@ class NoSetup(copied(Stove)):
         raise RuntimeError("not today")
 
 
-@breaks("works", "KeyError: 'sonar', when it was asked for the 1th time")
+@breaks("works", "KeyError: 'sonar', when it was asked question 1")
 class NoAct(copied(Stove)):
     """Looks for what is not there."""
 

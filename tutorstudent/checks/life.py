@@ -23,8 +23,8 @@ def works(usage: Usage) -> None:
         part = subject.bound()
         doing = "reset"
         usage.begin(part)
-        for number, question in enumerate(questions):
-            doing = f"asked for the {number + 1}th time"
+        for number, question in enumerate(questions, start=1):
+            doing = f"asked question {number}"
             usage.ask(part, question)
         doing = "closed"
         part.close()

@@ -28,7 +28,7 @@ def same_answers_in_another_process(usage: Usage) -> None:
     recipe = recipe_of(usage.subject)
     here = digest(answers(usage, fresh(usage)))
     done = subprocess.run(  # noqa: S603 - this very interpreter
-        [sys.executable, "-m", __name__],
+        [sys.executable, "-c", f"from {__name__} import main; main()"],
         input=json.dumps(recipe),
         env=os.environ | {"PYTHONHASHSEED": "1"},
         capture_output=True,
@@ -80,5 +80,6 @@ def answer(recipe: dict[str, Any]) -> str:
     return digest(answers(usage, fresh(usage)))
 
 
-if __name__ == "__main__":
-    print(answer(json.loads(sys.stdin.read())))  # noqa: T201 - the answer to the other process
+def main() -> None:
+    """Answer another process: a recipe on standard input, the fingerprint on standard output."""
+    sys.stdout.write(answer(json.loads(sys.stdin.read())) + "\n")
