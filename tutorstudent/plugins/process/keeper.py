@@ -26,6 +26,7 @@ class Keeper:
         self._program: Program | None = None
         self._restarts = self._late = 0
         self._reason, self._not_before_s = "", 0.0
+        self._closed = False
 
     def start(self) -> None:
         """Start the program and wait until it says hello.
@@ -78,11 +79,13 @@ class Keeper:
         if self._program is not None:
             self._program.close(protocol.line("close"))
             self._program = None
-        self._restarts, self._reason = self._options.restarts, "it was closed."
+        self._closed = True
 
     def _running(self, until_s: float) -> Program:
         if self._program is not None:
             return self._program
+        if self._closed:
+            raise ContractError(f"{self._name()}: it was closed, and a closed tutor is not asked again.")
         if self._restarts >= self._options.restarts:
             used = f"all {self._restarts} restarts are used up" if self._restarts else "restarts: 0"
             raise ContractError(f"{self._name()}: {self._reason} It is not started again ({used}).")

@@ -13,8 +13,8 @@ from typing import IO, Any, NamedTuple
 from tutorstudent.plugins.process import watchdog
 from tutorstudent.plugins.process.options import ProcessOptions
 
-KILL_TIMEOUT_S = 1.0
-"""The kernel may take its time with a process that it has been told to end; we do not wait longer."""
+KILL_TIMEOUT_S = 10.0
+"""A busy system may take its time with a process that was ended, most often a millisecond; we wait no longer."""
 
 
 class Started(NamedTuple):
