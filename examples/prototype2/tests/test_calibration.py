@@ -8,7 +8,14 @@ import pytest
 from tutorstudent_prototype2.calibration import walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
 from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, moved, setting_of
-from tutorstudent_prototype2.calibration.freezing import Candidate, freeze, load_candidates, save_candidates
+from tutorstudent_prototype2.calibration.freezing import (
+    AFTER_ROUNDS,
+    Candidate,
+    freeze,
+    load_candidates,
+    most_promising,
+    save_candidates,
+)
 from tutorstudent_prototype2.calibration.places import APART_M, WALL_M, Floor, inside, to_outline_m
 from tutorstudent_prototype2.calibration.predictive import (
     Prediction,
@@ -18,7 +25,16 @@ from tutorstudent_prototype2.calibration.predictive import (
     save_predictions,
 )
 from tutorstudent_prototype2.calibration.trials import Counts, Limits, run_under
-from tutorstudent_prototype2.calibration.walks import Look, load_looks, neighbour, save_looks, start, stays, walk_on
+from tutorstudent_prototype2.calibration.walks import (
+    Look,
+    keep_looks,
+    load_looks,
+    neighbour,
+    save_looks,
+    start,
+    stays,
+    walk_on,
+)
 from tutorstudent_prototype2.pipelines import load, read_setting
 from tutorstudent_prototype2.thesis import prototype2
 
@@ -159,6 +175,21 @@ def test_an_interrupted_walk_goes_on_as_if_nothing_had_happened(tmp_path, monkey
     assert whole == resumed
     assert sorted(whole) == sorted(walks.read_looks(tmp_path / "parts"))
     assert {True, False} == {look.agrees for look in whole}
+
+
+def test_a_walk_goes_on_from_a_table_of_earlier_days(tmp_path, monkeypatch):
+    monkeypatch.setattr(walks, "run_under", fake_run)
+    whole = [look for round_ in walk_on(tmp_path / "whole", 2, 6, 1) for look in round_]
+    monkeypatch.setattr(walks, "run_under", None)
+    keep_looks(tmp_path / "again", whole)
+
+    assert whole == [look for round_ in walk_on(tmp_path / "again", 2, 6, 1) for look in round_]
+
+
+def test_only_rounds_before_the_freezing_are_candidates():
+    looks = [look_at(AFTER_ROUNDS, True), look_at(AFTER_ROUNDS + 1, True), look_at(1, False)]
+
+    assert looks[:1] == most_promising(looks)
 
 
 def test_a_walk_goes_only_where_prototype_2_agrees(tmp_path, monkeypatch):

@@ -9,10 +9,16 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
-from tutorstudent_prototype2.calibration.freezing import freeze, most_promising, run_again, save_candidates
+from tutorstudent_prototype2.calibration.freezing import (
+    AFTER_ROUNDS,
+    freeze,
+    most_promising,
+    run_again,
+    save_candidates,
+)
 from tutorstudent_prototype2.calibration.predictive import LEARNERS, predict, save_predictions
 from tutorstudent_prototype2.calibration.summary import described
-from tutorstudent_prototype2.calibration.walks import load_looks, read_looks, save_looks, stays, walk_on
+from tutorstudent_prototype2.calibration.walks import keep_looks, load_looks, read_looks, save_looks, stays, walk_on
 
 DATA = Path(__file__).parent / "data"
 LOOKS, CANDIDATES, PREDICTIONS = DATA / "looks.jsonl", DATA / "candidates.jsonl", DATA / "predictions.jsonl"
@@ -34,7 +40,9 @@ def walk(
     out: Folder = Path("studies/calibration/walks"),
     table: Annotated[Path, typer.Option(help="The result.")] = LOOKS,
 ) -> None:
-    """Walk among the settings under which prototype 2 agrees with the thesis; long."""
+    """Walk among the settings under which prototype 2 agrees with the thesis, on from what the table holds; long."""
+    if table.exists():
+        keep_looks(out, load_looks(table))
     with _progress() as progress:
         task = progress.add_task("rounds", total=rounds)
         for _ in walk_on(out, walks, rounds, workers):
@@ -54,7 +62,7 @@ def freeze_command(
     looks = load_looks(LOOKS)
     candidates = run_again(most_promising(looks), workers)
     save_candidates(table, candidates)
-    freeze(candidates[0], setting, len(looks))
+    freeze(candidates[0], setting, sum(look.round <= AFTER_ROUNDS for look in looks))
     for candidate in candidates:
         typer.echo(f"walk {candidate.look.walk}, round {candidate.look.round}: misfit {candidate.misfit:.2f}")
     typer.echo(f"written to {setting}")

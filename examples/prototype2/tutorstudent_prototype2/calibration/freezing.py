@@ -14,8 +14,10 @@ from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissib
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
 from tutorstudent_prototype2.calibration.walks import FIRST_SEED, Look, from_text, to_text
 
-CANDIDATES = 12
-RUNS = 4
+AFTER_ROUNDS = 40
+"""The setting was frozen when the walks had come this far; later rounds serve the predictions."""
+CANDIDATES = 10
+RUNS = 3
 """Of each candidate in each environment, with seeds that no walk used."""
 AGAIN = FIRST_SEED + 500_000
 
@@ -38,8 +40,8 @@ class Candidate(NamedTuple):
 
 
 def most_promising(looks: Sequence[Look], count: int = CANDIDATES) -> list[Look]:
-    """Return the settings that agree and whose one run in each environment fits best."""
-    agreeing = [look for look in looks if look.agrees]
+    """Return the settings of the first `AFTER_ROUNDS` that agree and whose one run in each environment fits best."""
+    agreeing = [look for look in looks if look.agrees and look.round <= AFTER_ROUNDS]
     return sorted(agreeing, key=_misfit_of_one)[:count]
 
 

@@ -112,6 +112,13 @@ def stays(looks: Sequence[Look]) -> list[tuple[Look, int]]:
     return found
 
 
+def keep_looks(folder: Path, looks: Sequence[Look]) -> None:
+    """Put looks of earlier days where `walk_on` finds them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for look in looks:
+        _file(folder, look).write_text(to_text(look), encoding="utf-8")
+
+
 def read_looks(folder: Path) -> list[Look]:
     """Return everything that was looked at, round by round."""
     found = [from_text(path.read_text(encoding="utf-8")) for path in folder.glob("round-*.json")]
@@ -129,7 +136,7 @@ def load_looks(path: Path) -> list[Look]:
 
 
 def _look(folder: Path, here: Look, number: int) -> Look:
-    path = folder / f"round-{number:04}-walk-{here.walk:02}.json"
+    path = _file(folder, here._replace(round=number))
     if path.exists():
         return from_text(path.read_text(encoding="utf-8"))
     look = tried(neighbour(here, number))
@@ -137,6 +144,10 @@ def _look(folder: Path, here: Look, number: int) -> Look:
     partial.write_text(to_text(look), encoding="utf-8")
     partial.replace(path)
     return look
+
+
+def _file(folder: Path, look: Look) -> Path:
+    return folder / f"round-{look.round:04}-walk-{look.walk:02}.json"
 
 
 def to_text(look: Look) -> str:
