@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import closing
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -9,13 +11,18 @@ import jsonschema
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.pipeline import KEYS
+from tutorstudent.core.pipeline import KEYS, SLOTS, Pipeline
+from tutorstudent.core.plainvalues import plain
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.yamlfile import parse_yaml, read_yaml
 
 ROOT = Path(__file__).parents[2]
-SHIPPED = sorted((ROOT / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines").glob("*.yaml"))
+SHIPPED = sorted((ROOT / "examples").rglob("*.yaml"))
+
+
+def validate(data: Any, schema: dict[str, Any]) -> None:
+    jsonschema.Draft202012Validator(schema).validate(data)
 
 
 @pytest.fixture(scope="module")
@@ -31,9 +38,49 @@ def test_the_schema_knows_the_keys_of_a_pipeline(schema: dict[str, Any]) -> None
     assert set(KEYS) == set(schema["properties"])
 
 
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
-def test_shipped_pipelines_validate(path: Path) -> None:
-    jsonschema.validate(read_yaml(path).data, pipeline_schema(Registry.discover()))
+@pytest.fixture(scope="module")
+def installed() -> dict[str, Any]:
+    return pipeline_schema(Registry.discover())
+
+
+def is_pipeline(path: Path) -> bool:
+    data = read_yaml(path).data
+    return "extends" in data or {"tutor", "student"} <= set(data)
+
+
+@pytest.mark.parametrize("path", [path for path in SHIPPED if is_pipeline(path)], ids=lambda path: path.stem)
+def test_every_pipeline_of_the_examples_validates(installed: dict[str, Any], path: Path) -> None:
+    if path.is_relative_to(ROOT / "examples" / "controllers"):
+        needs("tutorstudent-controllers")
+    validate(read_yaml(path).data, installed)
+
+
+def needs(distribution: str) -> None:
+    try:
+        metadata.version(distribution)
+    except metadata.PackageNotFoundError:
+        pytest.skip(f"{distribution} is not installed")
+
+
+def test_a_resolved_pipeline_validates(installed: dict[str, Any]) -> None:
+    pipeline = Pipeline.read(ROOT / "examples/prototype2/tutorstudent_prototype2/pipelines/prototype2a.yaml")
+    with closing(pipeline.engine()) as engine:
+        described = {slot: plain(getattr(engine, slot).describe(), slot) for slot in SLOTS}
+    validate(described | {"world": "pioneer"}, installed)
+
+
+def test_names_of_plugins_options_and_keys_are_described_with_defaults_and_bounds(schema: dict[str, Any]) -> None:
+    words = {item["const"]: item["description"] for item in schema["$defs"]["student"]["anyOf"] if "const" in item}
+    assert {"backprop", "table", "silent"} <= set(words)
+    assert all(words.values())
+    hidden = schema["$defs"]["student:backprop"]["properties"]["hidden"]
+    assert (30, 1, 10_000, "hidden neurons") == tuple(
+        hidden[k] for k in ("default", "minimum", "maximum", "description")
+    )
+    assert "kind-level-ampbit" == schema["$defs"]["student:backprop"]["properties"]["codec"]["default"]
+    keys = schema["else"]["properties"]
+    assert [] == [key for key, value in keys.items() if not value.get("description")]
+    assert "same-kind" == keys["selector"]["default"]
 
 
 @pytest.mark.parametrize(
@@ -50,7 +97,7 @@ def test_shipped_pipelines_validate(path: Path) -> None:
     ],
 )
 def test_a_file_that_extends_another_says_only_what_differs(schema: dict[str, Any], text: str) -> None:
-    jsonschema.validate(parse_yaml(f"extends: base.yaml\n{text}", "p").data, schema)
+    validate(parse_yaml(f"extends: base.yaml\n{text}", "p").data, schema)
 
 
 @pytest.mark.parametrize(
@@ -59,12 +106,12 @@ def test_a_file_that_extends_another_says_only_what_differs(schema: dict[str, An
 )
 def test_a_file_that_extends_another_is_checked_too(schema: dict[str, Any], text: str) -> None:
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(parse_yaml(text, "p").data, schema)
+        validate(parse_yaml(text, "p").data, schema)
 
 
 def test_a_file_that_extends_nothing_names_tutor_and_student(schema: dict[str, Any]) -> None:
     with pytest.raises(jsonschema.ValidationError, match="'tutor' is a required property"):
-        jsonschema.validate(parse_yaml("seed: 5", "p").data, schema)
+        validate(parse_yaml("seed: 5", "p").data, schema)
 
 
 def test_every_reference_of_the_schema_leads_somewhere(schema: dict[str, Any]) -> None:
@@ -103,6 +150,6 @@ def test_every_option_of_every_component_is_described(schema: dict[str, Any]) ->
     ],
 )
 def test_what_the_assembler_refuses_the_schema_refuses(schema: dict[str, Any], old: str, new: str) -> None:
-    jsonschema.validate(parse_yaml(PIPELINE, "p").data, schema)
+    validate(parse_yaml(PIPELINE, "p").data, schema)
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(parse_yaml(PIPELINE.replace(old, new), "p").data, schema)
+        validate(parse_yaml(PIPELINE.replace(old, new), "p").data, schema)

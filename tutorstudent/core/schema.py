@@ -9,12 +9,11 @@ from pydantic.json_schema import models_json_schema
 from tutorstudent.core.component import ROLE_KEY, Component
 from tutorstudent.core.extending import EXTENDS
 from tutorstudent.core.limits import Limits
-from tutorstudent.core.pipeline import SLOTS, Header
+from tutorstudent.core.optiontable import option_default
+from tutorstudent.core.pipeline import DEFAULTS, SLOTS, Header
 from tutorstudent.core.registry import ROLES, Registry
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-
-
 EXTENDING = "extending:"
 """Begins the definitions for a file that extends another, in which every key and option may be left out."""
 
@@ -49,16 +48,22 @@ _EXTENDS = {
 
 def _properties() -> dict[str, Any]:
     properties: dict[str, Any] = Header.model_json_schema()["properties"]
-    return (
-        properties
-        | {slot: {"$ref": f"#/$defs/{slot}"} for slot in (*SLOTS, "world")}
-        | {
-            "conditions": {"type": "array", "items": {"$ref": "#/$defs/condition"}},
-            "observers": {"type": "array", "items": {"$ref": "#/$defs/observer"}},
-            "limits": {"$ref": "#/$defs/Limits"},
-            "on_tutor_failure": {"anyOf": [{"const": "raise"}, {"type": "object", "required": ["kind"]}]},
-        }
-    )
+    slots = {slot: {"$ref": f"#/$defs/{slot}", "description": summary(ROLES[slot])} for slot in (*SLOTS, "world")}
+    others = {
+        "conditions": _list("condition", "what must not be true of the state that an action leads to"),
+        "observers": _list("observer", "what counts and measures beside the run"),
+        "limits": {"$ref": "#/$defs/Limits", "description": summary(Limits)},
+        "on_tutor_failure": {
+            "anyOf": [{"const": "raise"}, {"type": "object"}],
+            "description": "what is executed where the tutor fails: an action of its class, or 'raise'",
+        },
+    }
+    defaults = {key: {"default": value} for key, value in DEFAULTS.items()}
+    return properties | {key: value | defaults.get(key, {}) for key, value in (slots | others).items()}
+
+
+def _list(role: str, description: str) -> dict[str, Any]:
+    return {"type": "array", "items": {"$ref": f"#/$defs/{role}"}, "description": description}
 
 
 def _partial(node: Any) -> Any:
@@ -74,8 +79,14 @@ def _partial(node: Any) -> Any:
 
 
 def _role(role: str, registry: Registry) -> dict[str, Any]:
-    names = [installed.cls.name for installed in registry.of(role)]
-    return {"anyOf": [{"enum": names}, *({"$ref": f"#/$defs/{role}:{name}"} for name in names)]}
+    classes = [installed.cls for installed in registry.of(role)]
+    words = [{"const": cls.name, "description": summary(cls)} for cls in classes]
+    return {"anyOf": [*words, *({"$ref": f"#/$defs/{role}:{cls.name}"} for cls in classes)] or [False]}
+
+
+def summary(cls: type[Any]) -> str:
+    """Return the first paragraph of a class's documentation, in one line."""
+    return " ".join((cls.__doc__ or "").split("\n\n")[0].split())
 
 
 def _component(cls: type[Component]) -> dict[str, Any]:
@@ -84,12 +95,21 @@ def _component(cls: type[Component]) -> dict[str, Any]:
     described = {
         "type": "object",
         "title": f"{cls.role} {cls.name}",
-        "description": " ".join((cls.__doc__ or "").split("\n\n")[0].split()),
+        "description": summary(cls),
         "additionalProperties": False,
         "required": ["use", *options.get("required", [])],
-        "properties": {"use": {"const": cls.name}} | options.get("properties", {}),
+        "properties": {"use": {"const": cls.name, "description": summary(cls)}} | _with_defaults(cls, options),
     }
     return {key: _filled(value) for key, value in ({f"{cls.role}:{cls.name}": described} | nested).items()}
+
+
+def _with_defaults(cls: type[Component], options: dict[str, Any]) -> dict[str, Any]:
+    # What pydantic leaves out: defaults that are made anew each time, such as components.
+    made = {name: field for name, field in cls.Options.model_fields.items() if field.default_factory}
+    return {
+        name: value | ({"default": option_default(made[name])} if name in made else {})
+        for name, value in options.get("properties", {}).items()
+    }
 
 
 def _filled(node: Any) -> Any:
