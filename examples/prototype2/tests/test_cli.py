@@ -95,6 +95,22 @@ def test_every_command_has_help(name: str) -> None:
     assert all(option in result.stdout for option in ("--runs", "--decisions", "--workers", "--out"))
 
 
+def test_ctrl_c_says_how_to_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tutorstudent_prototype2.cli.transplant", stopped)
+    result = CliRunner().invoke(app, ["transplant"])
+    assert (130, "interrupted; the same command goes on where it stood.\n") == (result.exit_code, result.stderr)
+
+
+def test_runs_that_failed_are_told_with_exit_code_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tutorstudent_prototype2.cli.transplant", lambda *_: (["one", "two"], []))
+    result = CliRunner().invoke(app, ["transplant"])
+    assert 1 == result.exit_code
+    assert "2 runs failed; give the command again to run them again." in result.stdout
+
+
 def mistake(arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> str:
     monkeypatch.setattr(sys, "argv", ["tutorstudent-prototype2", *arguments])
     with pytest.raises(SystemExit) as ended:

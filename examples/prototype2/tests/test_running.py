@@ -64,6 +64,12 @@ def test_a_folder_with_other_jobs_is_refused(tmp_path: Path) -> None:
         finish([job(0, tutor={"use": "prototype2", "front_m": 0.4})], tmp_path, 1, "other")
 
 
+def test_a_folder_that_cannot_be_used_is_told(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("something")
+    with pytest.raises(ts.PipelineError, match=r"file/x: cannot be used: Not a directory. Give another --out."):
+        finish([job(0)], tmp_path / "file" / "x", 1, "first")
+
+
 def test_a_run_that_fails_is_told_and_run_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     missing = tmp_path / "later" / "learned.npz"
     jobs = [

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -31,6 +32,8 @@ app = typer.Typer(
 )
 app.add_typer(calibration, name="calibration")
 
+INTERRUPTED = 130
+"""Exit code of a program that was stopped by a signal."""
 ALL = ",".join(ENVIRONMENTS)
 Runs = Annotated[int, typer.Option(min=1, help="Runs of everything; run i has the seed i.")]
 Decisions = Annotated[int, typer.Option(min=10, help="Decisions of a run.")]
@@ -48,7 +51,8 @@ def reproduce_command(
     out: Out = Path("studies/reproduce"),
 ) -> None:
     """Tables 2 to 9 beside ours: prototype 2, 2A and controls in four environments."""
-    study, sections = reproduce(known_scenes(scenes), runs, decisions, workers, out)
+    with _resumable():
+        study, sections = reproduce(known_scenes(scenes), runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
 
 
@@ -61,7 +65,8 @@ def intervals_command(
     out: Out = Path("studies/intervals"),
 ) -> None:
     """In which decisions learning takes place (5.2.5): prototype 2A, taught within one interval only."""
-    study, sections = intervals(known_scenes(scenes), runs, decisions, workers, out)
+    with _resumable():
+        study, sections = intervals(known_scenes(scenes), runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
 
 
@@ -73,7 +78,8 @@ def transplant_command(
     out: Out = Path("studies/transplant"),
 ) -> None:
     """Students trained in Cave-Box, carried into Cave-Predator-Prey-Box (5.2.3)."""
-    failures, sections = transplant(runs, decisions, workers, out)
+    with _resumable():
+        failures, sections = transplant(runs, decisions, workers, out)
     _end(sections, len(failures), out)
 
 
@@ -85,8 +91,19 @@ def heldout_command(
     out: Out = Path("studies/heldout"),
 ) -> None:
     """A scene that no calibration has seen: a smaller cave, as an occupancy map."""
-    study, sections = heldout(runs, decisions, workers, out)
+    with _resumable():
+        study, sections = heldout(runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
+
+
+@contextmanager
+def _resumable() -> Iterator[None]:
+    """Say how to go on where Ctrl-C was pressed."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        typer.echo("interrupted; the same command goes on where it stood.", err=True)
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def _end(sections: Sequence[Section], failed: int, out: Path) -> None:

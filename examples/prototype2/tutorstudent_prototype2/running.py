@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 import tutorstudent as ts
-from tutorstudent.study import Failure, Job, Plan, Request, Run, Setting, make_plan, read_runs, run_jobs
+from tutorstudent.study import Failure, Job, Plan, Request, Run, Setting, make_plan, pending, read_runs, run_jobs
 from tutorstudent_prototype2.pipelines import ENVIRONMENTS
 
 FIRST_SEED = 0
@@ -54,8 +54,7 @@ def finish(jobs: Sequence[Job], folder: Path, workers: int, title: str) -> tuple
         PipelineError: The folder belongs to other jobs.
     """
     _claim(jobs, folder)
-    missing = {failure[:3] for failure in read_runs(folder, jobs)[1]}
-    todo = [job for job in jobs if (job.environment, job.variant, job.seed) in missing]
+    todo = pending(folder, jobs)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True)) as progress:
         task = progress.add_task(title, total=len(jobs), completed=len(jobs) - len(todo))
@@ -67,14 +66,20 @@ def finish(jobs: Sequence[Job], folder: Path, workers: int, title: str) -> tuple
 
 
 def _claim(jobs: Sequence[Job], folder: Path) -> None:
+    """Write down what the folder is for, or make sure that it is for these jobs."""
     text = json.dumps([job._asdict() for job in jobs], indent=1, default=str) + "\n"
     path = folder / JOBS
-    if path.exists() and path.read_text(encoding="utf-8") != text:
+    try:
+        other = path.exists() and path.read_text(encoding="utf-8") != text
+        folder.mkdir(parents=True, exist_ok=True)
+        if not path.exists():
+            partial = path.with_name(f".{path.name}.partial")
+            partial.write_text(text, encoding="utf-8")
+            partial.replace(path)
+    except OSError as error:
+        raise ts.PipelineError(f"{folder}: cannot be used: {error.strerror or error}. Give another --out.") from None
+    if other:
         raise ts.PipelineError(
             f"{folder}: holds a study with other pipelines, settings or numbers; go on with the same ones, or give "
             "another --out."
         )
-    folder.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(path)
