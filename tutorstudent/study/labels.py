@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 Point = tuple[float, float]
 _DIRECTIONS = 16
@@ -40,9 +41,10 @@ def placed(marks: Sequence[Point], sizes: Sequence[Point], within: Box, dots: Se
     """
     boxes: list[Box] = []
     around = [Box(x - 5, y - 5, x + 5, y + 5) for x, y in marks]
+    small = np.reshape(np.array(dots, dtype=np.float64), (-1, 2))
     for mark, size in zip(marks, sizes, strict=True):
         candidates = _candidates(mark, size)
-        costs = [_cost(box, distance, [*boxes, *around], within, dots) for box, distance in candidates]
+        costs = [_cost(box, distance, [*boxes, *around], within, small) for box, distance in candidates]
         boxes.append(candidates[int(np.argmin(costs))][0])
     return boxes
 
@@ -58,7 +60,8 @@ def _candidates(mark: Point, size: Point) -> list[tuple[Box, float]]:
     return found
 
 
-def _cost(box: Box, distance: float, taken: Sequence[Box], within: Box, dots: Sequence[Point]) -> float:
-    hidden = sum(box.left < x < box.right and box.bottom < y < box.top for x, y in dots)
+def _cost(box: Box, distance: float, taken: Sequence[Box], within: Box, dots: NDArray[np.float64]) -> float:
+    x, y = dots.T
+    hidden = int(((box.left < x) & (x < box.right) & (box.bottom < y) & (y < box.top)).sum())
     outside = (box.right - box.left) * (box.top - box.bottom) - box.shared(within)
     return 100 * sum(map(box.shared, taken)) + 50 * outside + distance + 3 * hidden

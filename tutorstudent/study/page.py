@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from html import escape
 from importlib import resources
 
@@ -14,6 +15,7 @@ from tutorstudent.study.pictures import pictures
 from tutorstudent.study.plan import Environment, Plan
 from tutorstudent.study.results import Study
 from tutorstudent.study.search_table import level_colours_by_name, search_table
+from tutorstudent.study.table import Table
 from tutorstudent.study.tables import runs_table, tables
 
 
@@ -35,10 +37,9 @@ def page(study: Study) -> str:
 def _section(study: Study, environment: Environment, palette: Palette) -> str:
     colours = palette.css_by_name()
     drawn = pictures(study, environment, palette)
-    shown = [f"<h3>{escape(table.title)}</h3>\n{html(table, colours)}" for table in tables(study, environment)]
     parts = [
         *map(gallery_html, drawn.overview),
-        *shown,
+        *(_table(table, environment, colours) for table in tables(study, environment)),
         *map(gallery_html, drawn.details),
         _folded("Learning curves, summed up", "\n".join(map(gallery_html, drawn.totals))),
         _search(study, environment),
@@ -47,6 +48,13 @@ def _section(study: Study, environment: Environment, palette: Palette) -> str:
     body = "\n".join(part for part in parts if part)
     name = escape(environment.name)
     return f'<section id="{name}">\n<h2>{name}</h2>\n{body}\n</section>'
+
+
+def _table(table: Table, environment: Environment, colours: Mapping[str, str]) -> str:
+    """Return a table; one that has more rows than there are variants, and so pairs of them, is folded."""
+    body = html(table, colours)
+    is_long = len(table.rows) > len(environment.variants)
+    return _folded(table.title, body) if is_long else f"<h3>{escape(table.title)}</h3>\n{body}"
 
 
 def _search(study: Study, environment: Environment) -> str:
