@@ -25,6 +25,9 @@ CONTROLS = (
     ("#b07900", "#f0bb4a"),
     ("#8a6242", "#d0a685"),
     ("#7d8a1e", "#c3cf6a"),
+    ("#1f7a7a", "#6fcaca"),
+    ("#7a5c8e", "#c3a6d9"),
+    ("#9e4a3c", "#e39c8e"),
 )
 """Pairs of a colour for light and one for dark ground."""
 
