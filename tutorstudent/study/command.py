@@ -123,7 +123,8 @@ def show(study: Study) -> None:
         console.rule(environment.name, align="left")
         console.print(terminal(digest_table(study, environment)), "\n")
     if not any(environment.counters() for environment in study.plan.environments):
-        console.print("Nothing counts what the tutors achieve; name an observer, as in --set 'observers=[attractors]'.")
+        hint = "Nothing counts what the tutors achieve; name an observer, as in --set 'observers=[attractors]'."
+        console.print(hint, markup=False, highlight=False)
     console.print(LEGEND, highlight=False)
     console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. Controls are in italics.", highlight=False)
     console.print(
