@@ -7,7 +7,7 @@ PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
 .PHONY: help demo picture compare test check format lint types tests soak bench install docs clean \
-	reproduce reproduce-smoke intervals transplant heldout
+	reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
@@ -20,8 +20,8 @@ $(VENV)/.demo: pyproject.toml | $(VENV)/bin/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[bullet,study]'
 	touch $@
 
-$(VENV)/.dev: pyproject.toml | $(VENV)/bin/python
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+$(VENV)/.dev: pyproject.toml examples/controllers/pyproject.toml | $(VENV)/bin/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]' -e examples/controllers
 	touch $@ $(VENV)/.demo
 
 $(VENV)/.prototype2: pyproject.toml examples/prototype2/pyproject.toml | $(VENV)/bin/python
@@ -60,6 +60,21 @@ transplant: $(VENV)/.prototype2 ## students carried from Cave-Box into Cave-Pred
 
 heldout: $(VENV)/.prototype2 ## a scene that no calibration has seen; resumable too
 	$(call PROTOTYPE2,heldout)
+
+CONTROLLERS := examples/controllers/tutorstudent_controllers
+CONTROLLED = nice $(BIN)/tutorstudent compare --resume --workers $(WORKERS) $(SIZE) --out studies/$@
+
+controllers: SIZE := --runs 10 --decisions 10000
+controllers: $(VENV)/.dev ## published controllers with their controls: docs/controllers.md; resumable too
+controllers-smoke: SIZE := --runs 2 --decisions 200 --search-runs 0
+controllers-smoke: $(VENV)/.dev ## the same with 2 runs of 200 decisions, to see that all works
+controllers controllers-smoke:
+	$(CONTROLLED)/pid --harm-budget 0.01 $(CONTROLLERS)/pid/pid.yaml $(CONTROLLERS)/pid/pid-ahead.yaml
+	$(CONTROLLED)/tree $(CONTROLLERS)/tree/tree.yaml
+	$(CONTROLLED)/planner $(CONTROLLERS)/planner/planner.yaml
+	$(CONTROLLED)/walker --goal reward $(CONTROLLERS)/box2d/walker.yaml $(CONTROLLERS)/box2d/walker-constant-2.yaml
+	$(CONTROLLED)/lander --goal reward $(CONTROLLERS)/box2d/lander.yaml
+	$(BIN)/python -m tutorstudent_controllers studies/$@
 
 test: check ## all checks: format, lint, types, tests with warnings as errors
 check: format lint types docs tests
