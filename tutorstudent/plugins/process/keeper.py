@@ -11,6 +11,8 @@ from tutorstudent.plugins.process.program import Program, Trouble
 from tutorstudent.plugins.process.protocol import Answer, Unreadable
 
 LONGEST_BACKOFF_S = 60.0
+_NOT_STARTED = "Its path counts from the working directory, or from cwd, and it has to be executable."
+_NOT_GREETED = "It has to say hello on its standard output; docs/process-protocol.md shows how."
 
 
 class Keeper:
@@ -39,11 +41,9 @@ class Keeper:
             while not self._greeted(program, program.started_s + self._options.start_timeout_s):
                 pass
         except Trouble as trouble:
+            remedy = _NOT_STARTED if self._program is None else _NOT_GREETED
             self._lose(trouble)
-            raise PipelineError(
-                f"{self._name()}: {self._reason} It has to say hello on its standard output; "
-                "docs/process-protocol.md shows how."
-            ) from None
+            raise PipelineError(f"{self._name()}: {self._reason} {remedy}") from None
 
     def ask(self, number: int, message: bytes, until_s: float) -> Answer:
         """Return the answer to decision `number`.
