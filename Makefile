@@ -33,7 +33,8 @@ install: $(VENV)/.dev ## set up the virtual environment with everything
 demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
 	rm -rf demo-out
 	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml \
-		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --workers $(WORKERS) --out demo-out
+		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --search-runs 0 \
+		--workers $(WORKERS) --out demo-out
 
 picture: demo ## the README's picture, from the runs of the demo
 	$(BIN)/python docs/images/draw.py demo-out
