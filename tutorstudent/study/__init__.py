@@ -10,8 +10,10 @@
 | numbers of one row, and of two | `measures`, `statistics`; `pairs`, `intervals`, `significance` |
 | what is held against what | `comparisons`, `verdicts` |
 | tables | `cells`, `columns`, `table`, `tables`, `difference_tables` |
-| pictures | `curves`, `palette`, `svg`, `panels`, `strips`, `maps`, `pictures` |
-| the page and the other files | `media`, `page`, `latex`, `tidy`, `report` |
+| what pictures are made from | `curves`, `bins`, `traces`, `gains`, `palette`, `scales` |
+| pictures | `svg`, `charts`, `panels`, `strips`, `scatter`, `labels`, `maps`, `harms`; `screen`, `shots`, `film` |
+| pictures with their words | `galleries`, `learning`, `atlas`, `cinema`, `pictures` |
+| the page and the other files | `media`, `head`, `search_table`, `page`, `latex`, `tidy`, `report` |
 | all of it | `studies`, `options`, `command` |
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.
