@@ -19,7 +19,10 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 exclude_patterns = ["_build"]
 html_theme = "furo"
 html_title = "tutorstudent"
-html_static_path: list[str] = []
+html_static_path = ["_static"]
+html_css_files = ["tables.css"]
+smartquotes = False
+copyright = "the tutorstudent founders, MIT licence"  # noqa: A001 - Sphinx reads this name
 
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 3
