@@ -38,8 +38,3 @@ class ObservationBits(ts.Encoder[GymState, Any]):
         seen = np.ravel(moment.state.observation)
         bits = [seen[number.index] > step for number in self.options.numbers for step in number.above]
         return np.array([*situations, *bits], dtype=np.float64)
-
-    @classmethod
-    def example_options(cls) -> dict[str, Any]:
-        """Return options to try it with."""
-        return {"situations": ["Flying"], "numbers": [{"index": 0, "above": [-0.1, 0.1]}, {"index": 2, "above": [0.0]}]}

@@ -7,7 +7,9 @@ from typing import Any
 
 import tutorstudent as ts
 from tutorstudent.sims.gym import GymnasiumWorld, GymState
+from tutorstudent_controllers.box2d.lander import Thrust
 from tutorstudent_controllers.box2d.loading import load_box2d
+from tutorstudent_controllers.box2d.walker import Torques
 
 LOST = -100.0
 """Reward of the last step of a trial that ended badly, in both environments."""
@@ -25,6 +27,7 @@ class Walker(GymnasiumWorld):
     """Walk to the right over gentle ground until the end of it, until 1600 decisions are over, or until a fall."""
 
     name = "bipedal-walker"
+    action: type[ts.Action] = Torques
     Options = WalkerOptions
 
     def setup(self) -> None:
@@ -54,6 +57,7 @@ class Lander(GymnasiumWorld):
     """Come down and stand still. A trial ends with a crash, with flying off, or with the lander at rest."""
 
     name = "lunar-lander"
+    action: type[ts.Action] = Thrust
     Options = LanderOptions
 
     def setup(self) -> None:
