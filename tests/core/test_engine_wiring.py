@@ -68,7 +68,7 @@ def test_a_failure_action_that_was_tampered_with_is_refused() -> None:
 
 def test_two_conditions_of_one_name_are_refused() -> None:
     message = refusal(conditions=[Says(violated=bool), Says(violated=len)])
-    assert message == "conditions: 'says' stands there twice; each condition has a name of its own."
+    assert message == "condition 'says' stands there twice; each condition has a name of its own."
 
 
 def test_a_nested_part_stands_in_one_place_only() -> None:

@@ -27,6 +27,11 @@ def finished(folder: Path) -> dict[Path, tuple[int, int]]:
     return found
 
 
+def _heed_ctrl_c() -> None:
+    """What is started in the background ignores it, and so do its children."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 class Group:
     """A study as a process group of its own."""
 
@@ -36,6 +41,7 @@ class Group:
             [sys.executable, *map(str, arguments)],
             env=environment,
             start_new_session=True,
+            preexec_fn=_heed_ctrl_c,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,

@@ -24,7 +24,7 @@ class Judge(Generic[StateT]):
         doubled = [name for name, count in Counter(condition.label for condition in conditions).items() if count > 1]
         if doubled:
             raise ContractError(
-                f"'{doubled[0]}' stands there twice; each condition has a name of its own.",
+                f"condition '{doubled[0]}' stands there twice; each condition has a name of its own.",
                 slot=f"conditions.{doubled[0]}",
             )
         self._conditions = [(c, c.label, type(c).margins is not Condition.margins) for c in conditions]
