@@ -57,7 +57,7 @@ def test_a_pipeline_builds_its_parts_under_their_slots() -> None:
         ("decisions: 50", "decisions: 0", "p.yaml:2:1: decisions: pipeline: option 'decisions': input should be"),
         ("[crashed]", "[crashd]", "p.yaml:11:14: conditions.0: no condition named 'crashd' (did you mean 'crashed'?)"),
         ("[crashed]", "crashed", "p.yaml:11:1: conditions: found 'crashed'; write a list, as in [name]"),
-        ("[crashed]", "[crashed, crashed]", "p.yaml:11:23: conditions.1: 'crashed' stands there twice"),
+        ("[crashed]", "[crashed, crashed]", "p.yaml:11:23: conditions.1: condition 'crashed' stands there twice"),
         ("length_m: 5", "length_m: -5", "p.yaml:3:20: world.length_m: world 'rail': option 'length_m': input should"),
         ("world: {use: rail, length_m: 5}", "", "p.yaml: there is no 'world'; add one, as in"),
         ("same-kind", "modifier", "p.yaml:9:1: selector: selector 'modifier' needs LevelProposal but student 'table'"),
