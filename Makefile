@@ -62,6 +62,17 @@ transplant: $(VENV)/.prototype2 ## students carried from Cave-Box into Cave-Pred
 heldout: $(VENV)/.prototype2 ## a scene that no calibration has seen; resumable too
 	$(call PROTOTYPE2,heldout)
 
+CALIBRATION = $(BIN)/tutorstudent-prototype2 calibration $@ --workers $(WORKERS)
+
+walk: $(VENV)/.prototype2 ## calibration: settings under which prototype 2 agrees with the thesis; hours, resumable
+	$(CALIBRATION)
+
+freeze: $(VENV)/.prototype2 ## calibration: the setting that fits prototype 2 best, into setting.yaml
+	$(CALIBRATION)
+
+predict: $(VENV)/.prototype2 ## prototype 2A under every setting that agrees; hours, resumable
+	$(CALIBRATION)
+
 CONTROLLERS := examples/controllers/tutorstudent_controllers
 CONTROLLED = nice $(BIN)/tutorstudent compare --resume --workers $(WORKERS) $(SIZE) --out studies/$@
 
