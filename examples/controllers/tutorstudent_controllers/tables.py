@@ -35,8 +35,8 @@ def _lines(study: Study, environment: Environment, measures: Sequence[Measure]) 
     per = PER / study.plan.decisions
     titles = [f"{measure.title} (to the tutor alone)" for measure in (gain, harm)]
     rest = [measure for measure in measures if measure not in (gain, harm)]
-    yield _row(["", *titles, "harm", *(measure.title for measure in rest), "level"])
-    yield _row(["---", *["---:"] * (len(titles) + len(rest) + 2)])
+    yield _row(["", *titles, "harm", *(measure.title for measure in rest), "level", "runs"])
+    yield _row(["---", *["---:"] * (len(titles) + len(rest) + 3)])
     alone = study.of(environment.name, environment.reference)
     for variant in environment.variants:
         runs = study.of(environment.name, variant.name)
@@ -48,7 +48,8 @@ def _lines(study: Study, environment: Environment, measures: Sequence[Measure]) 
         cells = [f"{_spread(gain, runs)} {_signed(gained)}", f"{_spread(harm, runs)} {_signed(harmed)}"]
         said = verdict(_scaled(harmed, per), MARGIN) if variant.name != environment.reference else ""
         others = [_spread(measure, runs) for measure in rest]
-        yield _row([name, *cells, said, *others, f"{np.mean([run.summary['mean_level'] for run in runs]):.1f}"])
+        level = np.mean([run.summary["mean_level"] for run in runs])
+        yield _row([name, *cells, said, *others, f"{level:.1f}", str(len(runs))])
 
 
 def _against(measure: Measure, runs: Sequence[Run], alone: Sequence[Run]) -> Difference:
