@@ -7,7 +7,7 @@ PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
 .PHONY: help demo picture compare test check format lint types tests soak bench install docs clean \
-	reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
+	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
