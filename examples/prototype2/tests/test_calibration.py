@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tutorstudent_prototype2.calibration import walks
+from tutorstudent_prototype2.calibration import predictive, walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
 from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, moved, setting_of
 from tutorstudent_prototype2.calibration.freezing import (
@@ -21,7 +21,9 @@ from tutorstudent_prototype2.calibration.predictive import (
     Prediction,
     cells,
     interval,
+    keep_predictions,
     load_predictions,
+    predict,
     save_predictions,
 )
 from tutorstudent_prototype2.calibration.trials import Counts, Limits, run_under
@@ -238,6 +240,16 @@ def test_a_frozen_setting_is_read_as_the_one_that_was_looked_at(tmp_path):
 
     assert look.setting() == read_setting(tmp_path / "setting.yaml")
     assert "best of 7 settings" in (tmp_path / "setting.yaml").read_text()
+
+
+def test_predictions_of_earlier_days_are_not_run_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(predictive, "run_under", lambda setting, scene, seed, pipeline: FREE)
+    first = sorted(predict(tmp_path / "first", [look_at(1, True)], ["prototype2a"], 1))
+    monkeypatch.setattr(predictive, "run_under", None)
+    keep_predictions(tmp_path / "second", first)
+
+    assert [(scene, FREE) for scene in sorted(ENVIRONMENTS)] == [(item.scene, item.counts) for item in first]
+    assert first == sorted(predict(tmp_path / "second", [look_at(1, True)], ["prototype2a"], 1))
 
 
 def test_an_interval_holds_nine_tenths_of_the_weight():

@@ -16,7 +16,13 @@ from tutorstudent_prototype2.calibration.freezing import (
     run_again,
     save_candidates,
 )
-from tutorstudent_prototype2.calibration.predictive import LEARNERS, predict, save_predictions
+from tutorstudent_prototype2.calibration.predictive import (
+    LEARNERS,
+    keep_predictions,
+    load_predictions,
+    predict,
+    save_predictions,
+)
 from tutorstudent_prototype2.calibration.summary import described
 from tutorstudent_prototype2.calibration.walks import keep_looks, load_looks, read_looks, save_looks, stays, walk_on
 
@@ -75,7 +81,9 @@ def predict_command(
     out: Folder = Path("studies/calibration/predictions"),
     table: Annotated[Path, typer.Option(help="The result.")] = PREDICTIONS,
 ) -> None:
-    """Run prototype 2A under every setting that agrees; long."""
+    """Run prototype 2A under every setting that agrees, but for what the table holds; long."""
+    if table.exists():
+        keep_predictions(out, load_predictions(table))
     looks = [look for look, _ in stays(load_looks(LOOKS))]
     names = learners.split(",")
     with _progress() as progress:

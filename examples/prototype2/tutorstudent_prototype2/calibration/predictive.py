@@ -51,12 +51,20 @@ class Interval(NamedTuple):
 def predict(folder: Path, looks: Sequence[Look], learners: Sequence[str], workers: int) -> Iterator[Prediction]:
     """Run the learners under every setting in every environment and yield each run as it ends.
 
-    What the folder holds already is not run again.
+    What the folder holds already is not run again. Walks take turns, so that a part of the runs is about all of them.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    jobs = [(look, scene, learner) for learner in learners for look in looks for scene in ENVIRONMENTS]
+    in_turn = sorted(looks, key=lambda look: (look.round, look.walk))
+    jobs = [(look, scene, learner) for learner in learners for look in in_turn for scene in ENVIRONMENTS]
     parallel = Parallel(n_jobs=workers, return_as="generator_unordered", batch_size=1)
     yield from parallel(delayed(_predict)(folder, *job) for job in jobs)
+
+
+def keep_predictions(folder: Path, predictions: Sequence[Prediction]) -> None:
+    """Put predictions of earlier days where `predict` finds them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for item in predictions:
+        _file(folder, item.learner, item.scene, item).write_text(_text(item), encoding="utf-8")
 
 
 def interval(values: Sequence[float], weights: Sequence[float]) -> Interval:
@@ -102,7 +110,7 @@ def cells(
 
 
 def _predict(folder: Path, look: Look, scene: str, learner: str) -> Prediction:
-    path = folder / f"{learner}-{scene}-round-{look.round:04}-walk-{look.walk:02}.json"
+    path = _file(folder, learner, scene, look)
     if path.exists():
         return _from_text(path.read_text(encoding="utf-8"))
     counts = run_under(look.setting(), scene, look.seed, pipeline=learner)
@@ -111,6 +119,10 @@ def _predict(folder: Path, look: Look, scene: str, learner: str) -> Prediction:
     partial.write_text(_text(prediction), encoding="utf-8")
     partial.replace(path)
     return prediction
+
+
+def _file(folder: Path, learner: str, scene: str, look: Look | Prediction) -> Path:
+    return folder / f"{learner}-{scene}-round-{look.round:04}-walk-{look.walk:02}.json"
 
 
 def _text(prediction: Prediction) -> str:
