@@ -73,7 +73,9 @@ def test_the_folder_is_the_name_unless_said_otherwise(tmp_path: Path, monkeypatc
 @pytest.mark.parametrize("role", ROLES)
 def test_nothing_of_a_template_is_left_over(role: str) -> None:
     files = contents(names_of(role, "some-thing", Registry()))
-    assert [] == [path for path, text in files.items() if "$" in text]
+    schema_line, _, rest = files["pipeline.yaml"].partition("\n")
+    assert "# yaml-language-server: $schema=pipeline.schema.json" == schema_line
+    assert [] == [path for path, text in (files | {"pipeline.yaml": rest}).items() if "$" in text]
     project = tomllib.loads(files["pyproject.toml"])
     assert {"some-thing": "some_thing"} == project["project"]["entry-points"]["tutorstudent"]
     assert f"tutorstudent>={tutorstudent.__version__}" in project["project"]["dependencies"]
