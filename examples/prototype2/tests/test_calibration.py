@@ -1,10 +1,12 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+import tutorstudent as ts
 from tutorstudent_prototype2.calibration import predictive, walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
 from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, moved, setting_of
@@ -18,12 +20,15 @@ from tutorstudent_prototype2.calibration.freezing import (
 )
 from tutorstudent_prototype2.calibration.places import APART_M, WALL_M, Floor, inside, to_outline_m
 from tutorstudent_prototype2.calibration.predictive import (
+    PHASES,
+    Doubts,
     Prediction,
     cells,
     interval,
     keep_predictions,
     load_predictions,
     predict,
+    predicted,
     save_predictions,
 )
 from tutorstudent_prototype2.calibration.trials import Counts, Limits, run_under
@@ -216,7 +221,9 @@ def test_a_setting_weighs_as_many_rounds_as_a_walk_stood_on_it():
 def test_looks_candidates_and_predictions_are_read_as_they_were_written(tmp_path):
     looks = [look_at(1, True), look_at(2, False)]
     candidates = [Candidate(looks[0], {"cave-box": [FREE, FREE]})]
-    predictions = [Prediction(0, 1, "cave-box", "prototype2a", FREE)]
+    predictions = [
+        Prediction(0, 1, "cave-box", {2500: FREE, 5000: FREE, 7500: FREE._replace(attractors=1.0)}, [2500, 7500])
+    ]
     save_looks(tmp_path / "looks", looks)
     save_candidates(tmp_path / "candidates", candidates)
     save_predictions(tmp_path / "predictions", predictions)
@@ -243,13 +250,67 @@ def test_a_frozen_setting_is_read_as_the_one_that_was_looked_at(tmp_path):
 
 
 def test_predictions_of_earlier_days_are_not_run_again(tmp_path, monkeypatch):
-    monkeypatch.setattr(predictive, "run_under", lambda setting, scene, seed, pipeline: FREE)
-    first = sorted(predict(tmp_path / "first", [look_at(1, True)], ["prototype2a"], 1))
+    monkeypatch.setattr(predictive, "run_under", lambda *_, **__: FREE)
+    first = sorted(predict(tmp_path / "first", [look_at(1, True)], 1))
     monkeypatch.setattr(predictive, "run_under", None)
     keep_predictions(tmp_path / "second", first)
 
-    assert [(scene, FREE) for scene in sorted(ENVIRONMENTS)] == [(item.scene, item.counts) for item in first]
-    assert first == sorted(predict(tmp_path / "second", [look_at(1, True)], ["prototype2a"], 1))
+    assert [(scene, FREE) for scene in sorted(ENVIRONMENTS)] == [(item.scene, item.counts[5000]) for item in first]
+    assert first == sorted(predict(tmp_path / "second", [look_at(1, True)], 1))
+
+
+@pytest.mark.parametrize(
+    ("doubted", "run"),
+    [([], [2500]), ([2499], [2500]), ([2500], [2500, 5000, 7500]), ([5000, 6000], [2500, 7500]), ([7500], [2500])],
+)
+def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(monkeypatch, doubted, run):
+    def run_under(setting, scene, seed, pipeline, observers=()):
+        for observer in observers:
+            for number in range(10_000):
+                observer.observe(turn_with(number, ampbit=number not in doubted), None)
+        return FREE._replace(attractors=float(pipeline.partition("-")[2] or 2500))
+
+    monkeypatch.setattr(predictive, "run_under", run_under)
+    prediction = predicted(look_at(1, True), "cave-box")
+
+    assert run == prediction.run
+    assert {phase: float(phase if phase in run else 2500) for phase in PHASES} == {
+        phase: counts.attractors for phase, counts in prediction.counts.items()
+    }
+
+
+def turn_with(number: int, ampbit: bool) -> SimpleNamespace:
+    decision = SimpleNamespace(moment=SimpleNamespace(number=number), selected=SimpleNamespace(ampbit=ampbit))
+    return SimpleNamespace(decision=decision)
+
+
+class Executed(ts.Observer):
+    name = "executed"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.actions: list[str] = []
+
+    def observe(self, turn, step) -> None:
+        self.actions.append(repr(turn.decision.executed))
+
+
+def test_where_no_ampbit_was_overruled_a_longer_learning_phase_is_the_same_run():
+    doubts = Doubts(500)
+    short = executed_with(500, doubts)
+
+    assert not doubts.before(1500)
+    assert 1500 == len(short)
+    assert short == executed_with(1500)
+    assert len(set(short)) > 10
+
+
+def executed_with(phase: int, *observers: ts.Observer) -> list[str]:
+    pipeline = load("prototype2a", "cave-box").replaced({"amplifier.decisions": phase})
+    with pipeline.built() as (engine, world, _):
+        executed = Executed()
+        ts.run(engine, world, 1500, seed=3, observers=[executed, *observers])
+        return executed.actions
 
 
 def test_an_interval_holds_nine_tenths_of_the_weight():
@@ -257,13 +318,12 @@ def test_an_interval_holds_nine_tenths_of_the_weight():
     assert (7.0, 7.0, 7.0) == interval([1.0, 7.0, 9.0], [0.01, 10.0, 0.01])
 
 
-def test_cells_are_by_environment_and_learner_and_weighted():
+def test_cells_are_by_environment_and_learning_phase_and_weighted():
     predictions = [
-        Prediction(0, 1, "cave-box", "prototype2a", FREE._replace(attractors=40.0)),
-        Prediction(0, 2, "cave-box", "prototype2a", FREE._replace(attractors=60.0)),
-        Prediction(0, 2, "chase-avoid", "prototype2a", FREE._replace(attractors=90.0)),
+        Prediction(0, round_, scene, dict.fromkeys(PHASES, FREE._replace(attractors=attractors)), [2500])
+        for round_, scene, attractors in ((1, "cave-box", 40.0), (2, "cave-box", 60.0), (2, "chase-avoid", 90.0))
     ]
     found = cells(predictions, {(0, 1): 1, (0, 2): 99}, "attractors")
 
-    assert 60.0 == found["cave-box", "prototype2a"].low
-    assert 90.0 == found["chase-avoid", "prototype2a"].median
+    assert 60.0 == found["cave-box", 2500].low
+    assert 90.0 == found["chase-avoid", 7500].median

@@ -17,7 +17,6 @@ from tutorstudent_prototype2.calibration.freezing import (
     save_candidates,
 )
 from tutorstudent_prototype2.calibration.predictive import (
-    LEARNERS,
     keep_predictions,
     load_predictions,
     predict,
@@ -76,20 +75,18 @@ def freeze_command(
 
 @app.command(name="predict")
 def predict_command(
-    learners: Annotated[str, typer.Option(help="Pipelines, with commas.")] = ",".join(LEARNERS),
     workers: Workers = 2,
     out: Folder = Path("studies/calibration/predictions"),
     table: Annotated[Path, typer.Option(help="The result.")] = PREDICTIONS,
 ) -> None:
-    """Run prototype 2A under every setting that agrees, but for what the table holds; long."""
+    """Run prototype 2A under every setting that agrees, but for what the table holds already; long."""
     if table.exists():
         keep_predictions(out, load_predictions(table))
     looks = [look for look, _ in stays(load_looks(LOOKS))]
-    names = learners.split(",")
     with _progress() as progress:
-        task = progress.add_task("runs", total=len(looks) * len(names) * len(ENVIRONMENTS))
+        task = progress.add_task("runs", total=len(looks) * len(ENVIRONMENTS))
         predictions = []
-        for prediction in predict(out, looks, names, workers):
+        for prediction in predict(out, looks, workers):
             predictions.append(prediction)
             progress.advance(task)
     save_predictions(table, predictions)

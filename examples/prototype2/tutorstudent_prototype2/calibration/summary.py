@@ -11,7 +11,7 @@ import numpy as np
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
 from tutorstudent_prototype2.calibration.choices import CHOICES
 from tutorstudent_prototype2.calibration.freezing import Candidate, load_candidates
-from tutorstudent_prototype2.calibration.predictive import COVERAGE, cells, interval, load_predictions
+from tutorstudent_prototype2.calibration.predictive import COVERAGE, PHASES, cells, interval, load_predictions
 from tutorstudent_prototype2.calibration.walks import Look, load_looks, stays
 from tutorstudent_prototype2.thesis import rows
 
@@ -62,15 +62,21 @@ def _means(candidate: Candidate, scene: str) -> tuple[float, float]:
 def _predictive(looks: Sequence[Look], path: Path) -> Iterator[str]:
     predictions = load_predictions(path)
     weights = {(look.walk, look.round): rounds for look, rounds in stays(looks)}
-    yield f"Prototype 2A under each of {len({item[:2] for item in predictions})} settings that agree:"
+    longer = (len(PHASES) - 1) * len(predictions)
+    own = sum(len(item.run) - 1 for item in predictions)
+    yield (
+        f"Prototype 2A under each of {len({item[:2] for item in predictions})} settings that agree, one run in each "
+        f"environment. Of the {longer} with a longer learning phase {own} differ from the shortest one's in any "
+        "decision and were run by themselves."
+    )
     for measure, word in MEASURES.items():
         found = cells(predictions, weights, measure)
         yield ""
         yield f"| {word} | learning phase | thesis | {100 * COVERAGE:.0f} % of predictions | width | median | inside |"
         yield "|---|---:|---:|---:|---:|---:|---|"
         for row in rows():
-            if (row.environment, row.pipeline) in found:
-                between, mean = found[row.environment, row.pipeline], float(getattr(row, word))
+            if row.learning_phase is not None and (row.environment, row.learning_phase) in found:
+                between, mean = found[row.environment, row.learning_phase], float(getattr(row, word))
                 inside = "yes" if between.low <= mean <= between.high else "no"
                 yield (
                     f"| {row.environment} | {row.learning_phase} | {mean:g} | {between.low:g} to {between.high:g} | "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import tutorstudent as ts
@@ -76,6 +76,7 @@ def run_under(
     pipeline: str = "prototype2",
     decisions: int = DECISIONS,
     limits: Limits = Limits(),  # noqa: B008 - immutable
+    observers: Sequence[ts.Observer] = (),
 ) -> Counts:
     """Run a pipeline of this package under a setting.
 
@@ -86,13 +87,14 @@ def run_under(
         pipeline: Name of the pipeline.
         decisions: How many.
         limits: Beyond these the run is given up.
+        observers: Of the run, beside those of the pipeline.
     """
     built_from = load(pipeline, scene, setting).replaced({"seed": seed})
-    with built_from.built() as (engine, world, observers):
-        totals = Totals(limits, observers[0])
+    with built_from.built() as (engine, world, own):
+        totals = Totals(limits, own[0])
         complete = True
         try:
-            ts.run(engine, world, decisions, seed=seed, observers=[*observers, totals])
+            ts.run(engine, world, decisions, seed=seed, observers=[*own, totals, *observers])
         except GivenUp:
             complete = False
     return _counts(totals, setting, complete)
