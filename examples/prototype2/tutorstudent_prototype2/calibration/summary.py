@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS
 from tutorstudent_prototype2.calibration.choices import CHOICES
+from tutorstudent_prototype2.calibration.dependence import correlations, learner_cases, tutor_cases
 from tutorstudent_prototype2.calibration.freezing import Candidate, load_candidates
-from tutorstudent_prototype2.calibration.predictive import COVERAGE, PHASES, cells, interval, load_predictions
+from tutorstudent_prototype2.calibration.predictive import (
+    COVERAGE,
+    PHASES,
+    Prediction,
+    cells,
+    interval,
+    load_predictions,
+)
 from tutorstudent_prototype2.calibration.walks import Look, load_looks, stays
 from tutorstudent_prototype2.thesis import rows
 
@@ -22,25 +31,28 @@ MEASURES = {"attractors": "attractors", "collided": "collisions"}
 def described(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]:
     """Yield lines about the files that exist."""
     seen = load_looks(looks)
-    yield from _walks(seen)
-    if candidates.exists():
-        yield from _candidates(load_candidates(candidates))
+    tried = load_candidates(candidates) if candidates.exists() else []
+    yield from _walks(seen, tried[0].look.choices if tried else {})
+    if tried:
+        yield from _candidates(tried)
     if predictions.exists():
-        yield from _predictive(seen, predictions)
+        told = load_predictions(predictions)
+        yield from _predictive(seen, told)
+        yield from _dependence(seen, told)
 
 
-def _walks(looks: Sequence[Look]) -> Iterator[str]:
+def _walks(looks: Sequence[Look], frozen: Mapping[str, float]) -> Iterator[str]:
     stood = stays(looks)
     ended = Counter(list(look.counts)[-1] for look in looks if not look.agrees)
     against = ", ".join(f"{scene} {count}" for scene, count in ended.most_common())
     yield f"{len(looks)} settings looked at, {len(stood)} agree with prototype 2's rows. Spoken against by: {against}."
     yield ""
-    yield "| free choice | bounds | middle 90 % of the settings that agree (median) |"
-    yield "|---|---|---|"
+    yield "| free choice | bounds | frozen | middle 90 % of the settings that agree (median) |"
+    yield "|---|---|---:|---|"
     for name, choice in CHOICES.items():
         found = interval([look.choices[name] for look, _ in stood], [rounds for _, rounds in stood])
         agreeing = f"{found.low:.3g} to {found.high:.3g} ({found.median:.3g})"
-        yield f"| {name} | {choice.low:g} to {choice.high:g} | {agreeing} |"
+        yield f"| {name} | {choice.low:g} to {choice.high:g} | {frozen.get(name, math.nan):.3g} | {agreeing} |"
     yield ""
 
 
@@ -59,8 +71,7 @@ def _means(candidate: Candidate, scene: str) -> tuple[float, float]:
     return float(np.mean([run.attractors for run in runs])), float(np.mean([run.collided for run in runs]))
 
 
-def _predictive(looks: Sequence[Look], path: Path) -> Iterator[str]:
-    predictions = load_predictions(path)
+def _predictive(looks: Sequence[Look], predictions: Sequence[Prediction]) -> Iterator[str]:
     weights = {(look.walk, look.round): rounds for look, rounds in stays(looks)}
     longer = (len(PHASES) - 1) * len(predictions)
     own = sum(len(item.run) - 1 for item in predictions)
@@ -82,3 +93,27 @@ def _predictive(looks: Sequence[Look], path: Path) -> Iterator[str]:
                     f"| {row.environment} | {row.learning_phase} | {mean:g} | {between.low:g} to {between.high:g} | "
                     f"{between.width:g} | {between.median:g} | {inside} |"
                 )
+    yield ""
+
+
+def _dependence(looks: Sequence[Look], predictions: Sequence[Prediction]) -> Iterator[str]:
+    for measure, word in MEASURES.items():
+        pairs = [
+            (
+                correlations(tutor_cases(looks, scene), measure),
+                correlations(learner_cases(looks, predictions, scene), measure),
+            )
+            for scene in ENVIRONMENTS
+        ]
+        yield f"Rank correlations with {word}: prototype 2 / prototype 2A (learning phase {PHASES[0]})."
+        yield ""
+        yield "| free choice | " + " | ".join(ENVIRONMENTS) + " |"
+        yield "|---|" + "---:|" * len(ENVIRONMENTS)
+        for name in CHOICES:
+            shown = (f"{_signed(tutor[name])} / {_signed(learner[name])}" for tutor, learner in pairs)
+            yield f"| {name} | " + " | ".join(shown) + " |"
+        yield ""
+
+
+def _signed(value: float) -> str:
+    return "-" if math.isnan(value) else f"{value:+.2f}"
