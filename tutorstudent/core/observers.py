@@ -110,10 +110,15 @@ class WorldEvents(Observer):
 
 
 class Entries(Observer):
-    """Counts how often the tutor enters a situation."""
+    """Counts how often the tutor enters a situation; what `tutorstudent compare` takes for the tutor's achievement.
+
+    The end of a trial ends a stay, so that the next trial may begin with an entry.
+    """
 
     situation: ClassVar[str] = ""
+    """What `Tutor.situation` says while it is in."""
     counted: ClassVar[str] = ""
+    """Name of the count in summaries."""
 
     def begin(self, begin: Begin) -> None:
         self._was_in = False

@@ -13,9 +13,10 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from importlib import metadata
+from itertools import chain, count
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -73,7 +74,17 @@ def _run(built: Built, pipeline: Pipeline, observers: Sequence[Observer]) -> Non
 
 
 def _summary(observers: Iterable[Observer]) -> dict[str, float]:
-    return {key: _number(value) for observer in observers for key, value in observer.summary().items()}
+    found: dict[str, float] = {}
+    for observer in observers:
+        mine = {key: _number(value) for key, value in observer.summary().items()}
+        found |= {_free(key, found): value for key, value in mine.items()}
+    return found
+
+
+def _free(key: str, taken: Container[str]) -> str:
+    """Return the key, with a number where an earlier observer has it already."""
+    numbered = (f"{key}#{number}" for number in count(2))
+    return next(name for name in chain([key], numbered) if name not in taken)
 
 
 def _number(value: Any) -> float:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import tutorstudent as ts
-from tutorstudent.core.observers import Entries
 from tutorstudent_controllers.pid.state import Heat, PlateState
 from tutorstudent_controllers.pid.tutor import NEW_SETPOINT
 
@@ -57,7 +56,7 @@ class Overshoot(ts.Condition[PlateState]):
         return [coming_k + self.options.limit_k]
 
 
-class StepsDone(Entries):
+class StepsDone(ts.Entries):
     """Counts the temperatures that were reached and held: the recipe asks for a new one then."""
 
     name = "steps-done"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.observers import Entries
+import tutorstudent as ts
 
 
-class Goals(Entries):
+class Goals(ts.Entries):
     """Counts the goals that were reached."""
 
     name = "goals"

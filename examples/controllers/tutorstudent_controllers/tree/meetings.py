@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.observers import Entries
+import tutorstudent as ts
 
 
-class Meetings(Entries):
+class Meetings(ts.Entries):
     """Counts how often the tree came near something red and began to turn away from it."""
 
     name = "meetings"
