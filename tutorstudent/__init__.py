@@ -18,7 +18,7 @@ from tutorstudent.core.hookspecs import hookimpl
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.leaves import Change, Codec, Condition, Encoder, change, condition, encoder
 from tutorstudent.core.limits import Limits
-from tutorstudent.core.observers import Entries, Observer
+from tutorstudent.core.observers import Begin, Entries, Observer
 from tutorstudent.core.pipeline import Pipeline, load
 from tutorstudent.core.proposals import KindProposal, LevelProposal
 from tutorstudent.core.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
@@ -33,6 +33,7 @@ __all__ = [
     "Action",
     "ActionSelector",
     "Amplifier",
+    "Begin",
     "BrokenPlugin",
     "Change",
     "Codec",

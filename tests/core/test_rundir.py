@@ -245,3 +245,10 @@ def test_every_observer_is_closed_after_it_was_asked_for_its_summary() -> None:
 
     run_pipeline(Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY), [Careful()])
     assert ["summary", "close"] == Careful.said
+
+
+def test_observers_that_use_one_name_keep_all_their_counts() -> None:
+    pipeline = Pipeline(parse_yaml(PIPELINE + "observers: [counter, counter, counter]\n", "p.yaml"), REGISTRY)
+    summary = run_pipeline(pipeline).summary
+    assert (0.5, 0.5, 0.5) == tuple(summary[key] for key in ("half", "half#2", "half#3"))
+    assert "half#4" not in summary
