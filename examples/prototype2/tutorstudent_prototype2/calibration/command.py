@@ -40,7 +40,7 @@ Workers = Annotated[int, typer.Option(min=1, help="Processes; the results are th
 @app.command()
 def walk(
     walks: Annotated[int, typer.Option(min=1, help="Random walks.")] = 8,
-    rounds: Annotated[int, typer.Option(min=1, help="Rounds of each walk.")] = 40,
+    rounds: Annotated[int, typer.Option(min=1, help="Rounds of each walk.")] = 60,
     workers: Workers = 2,
     out: Folder = Path("studies/calibration/walks"),
     table: Annotated[Path, typer.Option(help="The result.")] = LOOKS,
