@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check format lint types tests soak bench install docs clean \
+.PHONY: help demo picture compare test check format lint types tests slow soak bench install docs clean \
 	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
@@ -102,6 +102,9 @@ types: $(VENV)/.dev
 
 tests: $(VENV)/.dev
 	$(BIN)/python -m pytest
+
+slow: $(VENV)/.dev ## the tests that take minutes to hours each, which `make test` leaves out
+	$(BIN)/python -m pytest -m slow
 
 docs: $(VENV)/.dev ## the site, with warnings as errors, into docs/_build
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
