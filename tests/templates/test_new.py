@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -62,6 +63,13 @@ def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:
     assert f"  cd {out}\n" in result.stdout
     assert "  tutorstudent plugins check my-tutor\n" in result.stdout
     assert "  tutorstudent compare pipeline.yaml " in result.stdout
+
+
+def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) -> None:
+    write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path)
+    program = "from hatchling.build import get_requires_for_build_editable; print(get_requires_for_build_editable())"
+    said = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "[]" == said.stdout.strip()
 
 
 def test_the_folder_is_the_name_unless_said_otherwise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
