@@ -15,13 +15,14 @@ PACKAGE = Path(__file__).parent.parent / "tutorstudent"
 FILES = sorted(PACKAGE.rglob("*.py"))
 
 CORE_ORDER = [
-    {"errors"},
+    {"errors", "freezing"},
     {"actions"},
     {"problems", "binding"},
     {"proposals", "records", "component"},
-    {"limits", "leaves", "interfaces", "world"},
-    {"rendering", "guard", "wiring"},
+    {"limits", "leaves", "interfaces", "world", "forms"},
+    {"rendering", "guard", "wiring", "namedform"},
     {"judging", "levels", "tutoring", "teaching", "grading"},
+    {"corrections"},
     {"engine"},
     {"observers"},
     {"recording", "runner", "hookspecs", "commands", "yamlnodes", "yamlproblems"},

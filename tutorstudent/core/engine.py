@@ -14,17 +14,17 @@ from typing import Generic
 
 from tutorstudent.core.actions import ActionT, Group, rebuilt
 from tutorstudent.core.component import Binding, Component, EnginePart, Learned
+from tutorstudent.core.corrections import UNKNOWN, corrected
 from tutorstudent.core.errors import ContractError
 from tutorstudent.core.grading import Graded, Grader
 from tutorstudent.core.guard import Guard, OnIncident, checked_replica, sealed
 from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.judging import Judge
 from tutorstudent.core.leaves import Condition
-from tutorstudent.core.levels import LevelLimiter, reached_level
+from tutorstudent.core.levels import LevelLimiter
 from tutorstudent.core.limits import Limits
 from tutorstudent.core.proposals import ProposalT, exact_level
 from tutorstudent.core.records import Decision, Incident, Moment, StateT, Turn
-from tutorstudent.core.rendering import NOTHING, Permitted
 from tutorstudent.core.teaching import Pending, Teacher
 from tutorstudent.core.tutoring import TutorSeat
 from tutorstudent.core.wiring import check_failure_action, check_vocabulary, check_wiring
@@ -167,15 +167,18 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             raise ContractError(
                 f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
             )
-        _, original, _, groups, seals, asked = self._pending
-        own, record = checked_replica(action, "executed()"), rebuilt(action)
-        self._untold = ""  # an earlier word about the same decision is taken back
-        level, permitted = self._reached(self._pending, own)
-        selected = asked.selected._replace(level=min(level, asked.selected.level))
-        resulting = asked.resulting._replace(level=level)
-        decision = asked._replace(selected=selected, resulting=resulting, executed=record)
-        self._pending = Pending(decision, original, own, groups, (seals[0], sealed(record)), asked)
-        self._levels.remember(original.kind, permitted)
+        self._correct(self._pending, checked_replica(action, "executed()"))
+
+    def refused(self, error: BaseException) -> None:
+        """Say that the action could not be executed, and why: the tutor's own was executed instead.
+
+        Raises:
+            ContractError: if no decision is pending, or where incidents are to be raised.
+        """
+        if self._pending is None:
+            raise ContractError("refused(): no decision is pending; call it after step() and before the next step().")
+        self._correct(self._pending, self._pending.original)
+        self._guard.record(self._pending.decision.moment.number, "action", error)
 
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
@@ -223,19 +226,10 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             else:
                 raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
 
-    def _reached(self, pending: Pending, executed: ActionT) -> tuple[int, Permitted]:
-        decision, original, groups = pending.asked, pending.original, pending.groups
-        try:
-            level = reached_level(original, groups, executed, decision.resulting.level, self._levels)
-            if level is not None:
-                return level, self._levels.permit(level, original, groups)
-            self._untold = "something else was executed"
-        except KeyboardInterrupt:
-            raise
-        except BaseException as error:
-            self._untold = "the executed level could not be told"
-            self._guard.record(decision.moment.number, "amplifier", error)
-        return 0, NOTHING
+    def _correct(self, pending: Pending, executed: ActionT) -> None:
+        self._untold = UNKNOWN  # should telling it raise
+        self._pending, permitted, self._untold = corrected(pending, executed, self._levels, self._guard)
+        self._levels.remember(pending.original.kind, permitted)
 
     def _remember(
         self,

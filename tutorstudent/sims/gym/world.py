@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from tutorstudent.core import component
 from tutorstudent.core.actions import Action
-from tutorstudent.core.adapters import read_only
+from tutorstudent.core.freezing import read_only
 from tutorstudent.core.component import Field
 from tutorstudent.core.errors import ContractError, PipelineError
 from tutorstudent.core.world import Step, Summary, World
