@@ -67,9 +67,12 @@ def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:
 
 def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) -> None:
     write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path)
-    program = "from hatchling.build import get_requires_for_build_editable; print(get_requires_for_build_editable())"
+    program = (
+        "import sys; sys.modules['editables'] = None\n"
+        "from hatchling.build import build_editable; print(build_editable('dist'))"
+    )
     said = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert "[]" == said.stdout.strip()
+    assert "my_tutor-0.1.0-py3-none-any.whl" == said.stdout.strip()
 
 
 def test_the_folder_is_the_name_unless_said_otherwise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
