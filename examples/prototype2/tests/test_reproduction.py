@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 
 from tutorstudent.study import Run
+from tutorstudent_prototype2.calibration.freezing import AFTER_ROUNDS
+from tutorstudent_prototype2.calibration.walks import Look, save_looks
+from tutorstudent_prototype2.pipelines import FOLDER
 from tutorstudent_prototype2.reproduce import settings_tried
 from tutorstudent_prototype2.reproduction import lines, sections
 from tutorstudent_prototype2.sheets import Section
@@ -101,8 +104,15 @@ def test_the_file_has_every_cell() -> None:
     assert (2, True, True) == (first["runs"], first["within_1_sd"], first["within_2_se"])
 
 
-def test_the_settings_of_the_calibration_are_counted(tmp_path: Path) -> None:
-    looks = tmp_path / "looks.jsonl"
-    assert 0 == settings_tried(looks)
-    looks.write_text("{}\n{}\n")
-    assert 2 == settings_tried(looks)
+def test_the_settings_that_were_tried_before_one_was_frozen_are_counted(tmp_path: Path) -> None:
+    path = tmp_path / "looks.jsonl"
+    assert 0 == settings_tried(path)
+    save_looks(
+        path, [Look(walk, number, {}, [], {}) for walk in range(2) for number in (1, AFTER_ROUNDS, AFTER_ROUNDS + 1)]
+    )
+    assert 4 == settings_tried(path)
+
+
+def test_the_frozen_setting_says_how_many_were_tried() -> None:
+    text = (FOLDER.parent / "setting.yaml").read_text(encoding="utf-8")
+    assert f"best of {settings_tried()} settings" in text

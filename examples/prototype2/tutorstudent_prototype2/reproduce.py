@@ -7,6 +7,8 @@ from pathlib import Path
 
 from tutorstudent.study import Study, run_study
 from tutorstudent_prototype2.calibration.command import LOOKS
+from tutorstudent_prototype2.calibration.freezing import AFTER_ROUNDS
+from tutorstudent_prototype2.calibration.walks import load_looks
 from tutorstudent_prototype2.contrast import contrasts
 from tutorstudent_prototype2.pipelines import NAMES, load_all
 from tutorstudent_prototype2.reproduction import lines, sections
@@ -41,14 +43,14 @@ def cost(study: Study) -> Section:
         ("sittings", f"{study.sittings()}"),
         ("wall time, s", f"{spent.wall_s:.0f}"),
         ("CPU time, s", f"{spent.cpu_s:.0f}"),
-        ("settings that the calibration looked at", f"{settings_tried()}"),
+        ("settings tried before one was frozen", f"{settings_tried()}"),
     )
     return Section(Sheet("What it took", ("", "number"), rows), tuple(map(str, _failed(study))))
 
 
 def settings_tried(looks: Path = LOOKS) -> int:
-    """Return how many settings the calibration looked at; 0 where there was none."""
-    return sum(1 for line in looks.read_text(encoding="utf-8").splitlines() if line) if looks.exists() else 0
+    """Return how many settings the calibration had looked at when it chose one; 0 where there was none."""
+    return sum(look.round <= AFTER_ROUNDS for look in load_looks(looks)) if looks.exists() else 0
 
 
 def _failed(study: Study) -> list[str]:
