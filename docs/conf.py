@@ -5,11 +5,15 @@ from __future__ import annotations
 import sys
 from importlib import metadata
 from pathlib import Path
+from typing import Any
+
+from sphinx.util import logging
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
-import reference  # noqa: E402 - stands beside this file
+import complete  # noqa: E402 - stands beside this file
+import reference  # noqa: E402
 
 project = "tutorstudent"
 author = "The tutorstudent founders"
@@ -33,3 +37,13 @@ napoleon_google_docstring = True
 nitpicky = False
 
 reference.write(HERE / "reference")
+
+
+def setup(app: Any) -> None:
+    """Let the build warn of public names without a description."""
+    app.connect("env-check-consistency", _check_names)
+
+
+def _check_names(_app: Any, env: Any) -> None:
+    for name in complete.not_rendered(env.get_domain("py").objects):
+        logging.getLogger(__name__).warning("%s is public, and no page describes it; see docs/api.md", name)

@@ -20,10 +20,14 @@ from tutorstudent.core.registry import Registry
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.append(str(DOCS))
 
-import reference  # noqa: E402 - stands beside the pages
+import complete  # noqa: E402 - stands beside the pages
+import reference  # noqa: E402
 
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"reference", "_build"} & set(path.parts))
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```", flags=re.DOTALL | re.MULTILINE)
+READMES = sorted((DOCS.parent / "examples").glob("*/README.md"))
+PACKAGE = DOCS.parent / "tutorstudent"
+INTERNAL = ("core", "checks/roles")
 OWN = [installed.cls for installed in Registry.discover() if installed.distribution.split()[0] == "tutorstudent"]
 
 
@@ -66,6 +70,14 @@ def test_the_code_of_every_page_runs(page, tmp_path, monkeypatch, capsys):
             run_commands(text, capsys, monkeypatch)
 
 
+@pytest.mark.parametrize("page", READMES, ids=lambda page: page.parent.name)
+def test_the_python_of_every_examples_page_runs(page):
+    names: dict[str, object] = {"__name__": "page"}
+    for language, text in blocks(page):
+        if language == "python":
+            run_python(text, names, page)
+
+
 def all_commands(command, name=""):
     children = getattr(command, "commands", {})
     for child in children:
@@ -103,6 +115,39 @@ def test_every_hook_is_documented():
     for hook in hooks:
         assert f"## {hook}" in page
         assert inspect.getdoc(getattr(hookspecs, hook))
+
+
+def test_the_names_of_every_module_that_promises_some_are_held_against_the_site():
+    promising = {
+        path for path in PACKAGE.rglob("*.py") if re.search(r"^__all__ = ", path.read_text("utf-8"), re.MULTILINE)
+    }
+    public = {path for path in promising if not path.relative_to(PACKAGE).as_posix().startswith(INTERNAL)}
+    modules = {
+        ".".join(path.relative_to(DOCS.parent).with_suffix("").parts).removesuffix(".__init__") for path in public
+    }
+
+    assert modules | {"tutorstudent.sims.pioneer.types"} == set(complete.PUBLIC)
+
+
+@pytest.mark.parametrize("module", complete.PUBLIC)
+def test_every_name_that_a_module_promises_is_described(module):
+    page = (DOCS / "api.md").read_text(encoding="utf-8")
+    described = set(re.findall(r"^\.\. auto(?:class|function):: (\S+)$", page, flags=re.MULTILINE))
+
+    if f".. automodule:: {module}\n" not in page:
+        assert described >= set(complete.promised(module))
+    for name in complete.promised(module):
+        assert inspect.getdoc(getattr(sys.modules[module], name.rpartition(".")[2])), f"{name} has no docstring"
+
+
+def test_a_name_that_no_page_describes_is_told():
+    names = [name for module in complete.PUBLIC for name in complete.promised(module)]
+
+    assert {"tutorstudent.wrap", "tutorstudent.study.write_report", "tutorstudent.sims.pioneer.types.Blob"} <= set(
+        names
+    )
+    assert [] == complete.not_rendered(names)
+    assert ["tutorstudent.wrap"] == complete.not_rendered(set(names) - {"tutorstudent.wrap"})
 
 
 def test_every_page_is_in_the_table_of_contents():
