@@ -33,7 +33,7 @@ def wrap(
         action: What the controller returns, as in ``scalar(-1, 1)``; a `Tutor` brings its own.
         condition: Operational condition: true means violated.
         conditions: Several of them.
-        ranges: Low and high of each number of the state, for what the student sees. Without them it sees the
+        ranges: Low and high of each number of the state, for what the student sees; without them it sees the
             controller's own command only.
         factor: Largest ratio of the executed to the controller's own magnitude.
         slew: Largest change of the amplification level from one decision to the next.
@@ -45,8 +45,13 @@ def wrap(
         TutorStudentError: if the parts do not fit; the message says what to do.
     """
     found = [condition, *conditions] if condition is not None else list(conditions)
-    data: dict[str, Any] = {
-        "seed": seed,
+    slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
+    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _defaults(ranges) | slots, {}))
+    return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_named(found)))
+
+
+def _defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
+    return {
         "student": {
             "use": "table",
             "encoder": {"use": "ranges", "ranges": [list(pair) for pair in ranges]},
@@ -54,11 +59,7 @@ def wrap(
         },
         "selector": "modifier",
         "amplifier": {"use": "learning-phase", "decisions": 0, "change": "multiplicative"},
-        "limits": {"factor": factor, "slew": slew} | slots.pop("limits", {}),
     }
-    pipeline = Pipeline(Document("wrap()", data | slots, {}))
-    engine = pipeline.engine(tutor=as_tutor(controller, action), conditions=_named(found))
-    return Loop(engine)
 
 
 def _named(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
