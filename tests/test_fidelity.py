@@ -1,0 +1,56 @@
+"""The page of free choices says what the frozen setting and the components' defaults really are."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from tutorstudent.plugins.prototype2.tutor import Prototype2
+from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent_prototype2.pipelines import frozen_setting
+
+PAGE = (Path(__file__).parents[1] / "docs" / "fidelity.md").read_text(encoding="utf-8")
+ROW = re.compile(r"^\| `([\w.]+)`(?:, `(\w+)`)? \| ([^|]+) \| ([^|]+) \|", flags=re.MULTILINE)
+
+
+def printed() -> dict[str, tuple[str, str]]:
+    """Return frozen and default value of every choice of the page, as printed."""
+    section = PAGE.partition("## The free choices of chapter 4, frozen")[2].partition("\n## ")[0]
+    found = {}
+    for name, second, frozen, default in ROW.findall(section):
+        found[name] = frozen.strip(), default.strip()
+        if second:
+            found[f"{name.partition('.')[0]}.{second}"] = found[name]
+    return found
+
+
+def flat(values: dict[str, Any], above: str) -> dict[str, Any]:
+    """Return the leaves of a setting by the names of the page."""
+    leaves: dict[str, Any] = {}
+    for key, value in values.items():
+        leaves |= flat(value, key) if isinstance(value, dict) else {f"{above}.{key}": value}
+    return leaves
+
+
+def named(leaves: dict[str, Any]) -> dict[str, Any]:
+    """Return them with the choice that prey and predators share under its own name."""
+    prey, predator = leaves.pop("prey.front_m"), leaves.pop("predator.front_m")
+    assert prey == predator
+    return leaves | {"others.front_m": prey}
+
+
+def test_every_frozen_choice_is_on_the_page_with_its_value() -> None:
+    setting = frozen_setting()
+    frozen = named(flat(dict(setting["world"]), "world") | flat(dict(setting["tutor"]), "tutor"))
+    assert 6 == len(frozen.pop("world.box_places"))
+    page = {name: values[0] for name, values in printed().items()}
+    assert "six places" == page.pop("world.box_places")
+    assert {name: f"{value:g}" if isinstance(value, int) else f"{value:.5g}" for name, value in frozen.items()} == page
+
+
+def test_every_default_beside_it_is_the_components_own() -> None:
+    world = PioneerWorld.Options().model_dump()
+    defaults = named(flat(world, "world")) | flat(Prototype2.Options().model_dump(), "tutor")
+    page = {name: values[1] for name, values in printed().items()}
+    assert {name: f"{defaults[name]:g}" if defaults[name] else "as drawn" for name in page} == page
