@@ -1,9 +1,11 @@
-"""The whole way of a third party, without a network: wheels, a fresh environment, and the commands of its README."""
+"""The whole way of a third party, without a network: wheels, a fresh environment, and the tutorial line by line."""
 
 from __future__ import annotations
 
 import json
 import os
+import re
+import shlex
 import subprocess
 import sys
 import sysconfig
@@ -13,7 +15,13 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
+TUTORIAL = ROOT / "docs" / "guide" / "tutorial.md"
 NAME = "acme-walls"
+NAME_IN_TUTORIAL = "my-tutor"
+PROGRAMS = {"python": [], "pip": ["-m", "pip"]}
+"""What an environment's interpreter is called with to be this program."""
+SMALLER = {"run": ["--decisions", "60"], "compare": ["--runs", "1", "--decisions", "60", "--search-runs", "0"]}
+"""Added to the tutorial's own words: of an option that is given twice, the later one holds."""
 
 
 class Environment:
@@ -36,13 +44,21 @@ class Environment:
     def tutorstudent(self, *words: str | Path, cwd: Path) -> str:
         return call(self.folder / "bin" / "tutorstudent", *words, cwd=cwd)
 
+    def typed(self, words: list[str], cwd: Path) -> str:
+        """Do what somebody does who has activated this environment."""
+        program, *rest = words
+        if program == "tutorstudent":
+            return self.tutorstudent(*rest, *SMALLER.get(rest[0], []), cwd=cwd)
+        return call(self.python, *PROGRAMS[program], *rest, cwd=cwd)
+
 
 QUIETLY = ("--quiet", "--no-index", "--disable-pip-version-check")
+OFFLINE = {"PIP_NO_INDEX": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
 
 
 def call(*words: str | Path, cwd: Path | None = None) -> str:
     kept = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "PIP_"))}
-    env = kept | {"TUTORSTUDENT_LOAD_PLUGINS": NAME, "COLUMNS": "200"}
+    env = kept | {"TUTORSTUDENT_LOAD_PLUGINS": f"{NAME},{NAME_IN_TUTORIAL}", "COLUMNS": "200", **OFFLINE}
     done = subprocess.run([str(word) for word in words], cwd=cwd, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
@@ -83,3 +99,28 @@ def test_a_third_partys_wheel_is_found_checked_and_run_from_yaml(environment: En
     words = ("run", project / "pipeline.yaml", "--decisions", "60", "--strict", "--out", tmp_path / "run")
     assert f"written to {tmp_path / 'run'}" in environment.tutorstudent(*words, cwd=tmp_path)
     assert f"use: {NAME}" in (tmp_path / "run" / "pipeline.yaml").read_text()
+
+
+def tutorial() -> list[list[str]]:
+    """Return the words of each line of shell in the tutorial, from where its environment has been set up."""
+    blocks = re.findall(r"^```(sh|console)\n(.*?)^```", TUTORIAL.read_text("utf-8"), flags=re.DOTALL | re.MULTILINE)
+    lines = [line.removeprefix("$ ") for _, block in blocks[1:] for line in block.splitlines()]
+    assert "venv" in blocks[0][1]
+    return [shlex.split(line) for line in lines]
+
+
+def test_the_tutorial_can_be_typed_line_by_line(environment: Environment, tmp_path: Path) -> None:
+    folder = tmp_path
+    said: dict[str, str] = {}
+    for words in tutorial():
+        if words[0] == "cd":
+            folder /= words[1]
+        else:
+            said[" ".join(words)] = environment.typed(words, folder)
+
+    assert "passed" in said["python -m pytest"]
+    assert NAME_IN_TUTORIAL in said["tutorstudent plugins list"]
+    assert 1 == len(list(folder.glob("runs/*/decisions.npz")))
+    assert (folder / "studies" / "first" / "report.html").is_file()
+    (compared,) = [text for line, text in said.items() if line.startswith("tutorstudent compare ")]
+    assert {"tutor-alone", "blind", "ramp", "random"} <= set(re.findall(r"[a-z-]+", compared))
