@@ -12,7 +12,8 @@ from sphinx.util import logging
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
-import complete  # noqa: E402 - stands beside this file
+import attributes  # noqa: E402 - stands beside this file
+import complete  # noqa: E402
 import reference  # noqa: E402
 
 project = "tutorstudent"
@@ -40,8 +41,9 @@ reference.write(HERE / "reference")
 
 
 def setup(app: Any) -> None:
-    """Let the build warn of public names without a description."""
+    """Let the build warn of public names without a description, and render attributes as they are written."""
     app.connect("env-check-consistency", _check_names)
+    attributes.Attributes().connect(app)
 
 
 def _check_names(_app: Any, env: Any) -> None:

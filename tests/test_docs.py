@@ -20,7 +20,8 @@ from tutorstudent.core.registry import Registry
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.append(str(DOCS))
 
-import complete  # noqa: E402 - stands beside the pages
+import attributes  # noqa: E402 - stands beside the pages
+import complete  # noqa: E402
 import reference  # noqa: E402
 
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"reference", "_build"} & set(path.parts))
@@ -148,6 +149,24 @@ def test_a_name_that_no_page_describes_is_told():
     )
     assert [] == complete.not_rendered(names)
     assert ["tutorstudent.wrap"] == complete.not_rendered(set(names) - {"tutorstudent.wrap"})
+
+
+@pytest.mark.parametrize(
+    ("what", "written", "rendered"),
+    [
+        ("attribute", ["None: as many as the files say.", ""], ["None: as many as the files say.", ""]),
+        ("property", ["One: two.", "", "Raises:", "    E: if"], ["by Napoleon"]),
+        ("function", ["One: two.", ""], ["by Napoleon"]),
+        ("attribute", ["Alias for field number 3", ""], ["by Napoleon"]),
+    ],
+)
+def test_the_sentence_of_an_attribute_is_rendered_as_it_is_written(what, written, rendered):
+    handlers, lines = attributes.Attributes(), [*written]
+    handlers.keep(None, what, "name", None, None, lines)
+    assert lines == ([] if "Alias" in written[0] else written)
+    lines[:] = ["by Napoleon"]
+    handlers.give_back(None, what, "name", None, None, lines)
+    assert rendered == lines
 
 
 def test_every_page_is_in_the_table_of_contents():
