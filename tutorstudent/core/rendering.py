@@ -7,7 +7,7 @@ the action class, how far at most from the limits.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from tutorstudent.core.actions import ActionT, Group, rebuilt
@@ -33,9 +33,11 @@ NOTHING = Permitted(0, ())
 
 def deviation(group: Group, values: Mapping[str, float]) -> float:
     """Return how far the tutor's own values are from neutral, >= 0."""
-    if len(group.names) == 1:
-        return abs(values[group.names[0]] - group.neutral[0])
-    return math.dist([values[name] for name in group.names], group.neutral)
+    return _from_neutral(group, [values[name] for name in group.names])
+
+
+def _from_neutral(group: Group, numbers: Sequence[float]) -> float:
+    return abs(numbers[0] - group.neutral[0]) if len(numbers) == 1 else math.dist(numbers, group.neutral)
 
 
 def can_move(groups: tuple[Group, ...], values: Mapping[str, float]) -> bool:
@@ -122,8 +124,8 @@ def within(fractions: Fractions, groups: tuple[Group, ...], values: Mapping[str,
 
 
 def _within_factor(fraction: float, group: Group, values: Mapping[str, float], factor: float) -> bool:
-    ends = dict(zip(group.names, moved(group, values, fraction), strict=True))
-    return deviation(group, ends) <= factor * deviation(group, values) + _ROUNDING * group.scale
+    ends = moved(group, values, fraction)
+    return _from_neutral(group, ends) <= factor * deviation(group, values) + _ROUNDING * group.scale
 
 
 def magnitudes(groups: tuple[Group, ...], values: Mapping[str, float]) -> Fractions:

@@ -47,6 +47,7 @@ class Ranges(Encoder[Any, Any]):
         steps = self.options.steps
         fractions = (np.arange(steps) + 1) / (steps + 1)
         self._thresholds = low[:, None] + (high - low)[:, None] * fractions
+        self._numbers = np.empty((len(bounds), 1))
 
     @property
     def width(self) -> int:
@@ -57,16 +58,16 @@ class Ranges(Encoder[Any, Any]):
         return [[low + share * (high - low) for low, high in self.options.ranges] for share in (0.0, 0.5, 1.0)]
 
     def encode(self, moment: Moment[Any, Any]) -> Vector:
-        numbers = [getattr(moment.tutor_action, name) for name in self._components]
+        own, numbers = len(self._components), self._numbers[:, 0]
+        for place, name in enumerate(self._components):
+            numbers[place] = getattr(moment.tutor_action, name)
         if self.options.ranges:
-            numbers.extend(np.asarray(moment.state, dtype=np.float64).ravel().tolist())
-        if len(numbers) != len(self._thresholds):
-            raise ValueError(
-                f"the state has {len(numbers) - len(self._components)} numbers; "
-                f"{len(self.options.ranges)} ranges are declared."
-            )
-        bits: Vector = (np.array(numbers)[:, None] > self._thresholds).ravel().astype(np.float64)
-        return bits
+            state = np.asarray(moment.state, dtype=np.float64)
+            if state.size != len(numbers) - own:
+                raise ValueError(f"the state has {state.size} numbers; {len(self.options.ranges)} ranges are declared.")
+            numbers[own:] = state.ravel()
+        bits: Vector = np.greater(self._numbers, self._thresholds, out=np.empty(self._thresholds.shape))
+        return bits.ravel()
 
 
 @hookimpl

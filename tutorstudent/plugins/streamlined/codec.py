@@ -21,6 +21,7 @@ class LevelAmpbit(Codec[LevelProposal]):
 
     def setup(self) -> None:
         self._grade = GradeCode(self.options)
+        self._proposals: dict[tuple[int, bool], LevelProposal] = {}
 
     @property
     def width(self) -> int:
@@ -30,5 +31,8 @@ class LevelAmpbit(Codec[LevelProposal]):
         return np.array(self._grade.encode(target))
 
     def decode(self, outputs: Vector) -> LevelProposal:
-        level, ampbit = self._grade.decode(finite_values(outputs, self.width))
-        return LevelProposal(level=level, ampbit=ampbit)
+        grade = self._grade.decode(finite_values(outputs, self.width))
+        if grade not in self._proposals:
+            level, ampbit = grade
+            self._proposals[grade] = LevelProposal(level=level, ampbit=ampbit)
+        return self._proposals[grade]
