@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +13,12 @@ import pytest
 from typer.testing import CliRunner
 
 from tests.core.toys import toy_registry
-from tutorstudent.cli import VERBOSE, app, main
+from tutorstudent import plugin_list
+from tutorstudent.cli import app, main
 from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.loading import TRACE
 from tutorstudent.core.registry import Registry
+from tutorstudent.everywhere import VERBOSE
 from tutorstudent.plugin_info import find, page, yaml_line
 
 COMMANDS = [
@@ -120,6 +124,28 @@ def test_info_about_what_is_not_there_says_what_is(name: str, role: str | None, 
     assert "twin" == find("twin", "tutor", registry).cls.name
 
 
+@pytest.mark.parametrize("width", [30, 50, 80, 120, math.inf])
+def test_the_list_never_cuts_a_name(width: float, registry: Registry) -> None:
+    lines = list(plugin_list.page(registry, width))
+    words = {word for line in lines for word in line.split()}
+    assert {name for item in registry for name in (item.cls.name, item.entry_point)} <= words | {""}
+    assert {item.distribution for item in registry} <= set(lines)
+
+
+@pytest.mark.parametrize("width", [80, 120])
+def test_the_list_fits_its_width_and_leaves_out_no_word(width: int, registry: Registry) -> None:
+    lines = list(plugin_list.page(registry, width))
+    assert [] == [line for line in lines if len(line) > width]
+    expected = Counter(word for item in registry for word in plugin_list.summary(item.cls).split())
+    assert expected <= Counter(word for line in lines for word in line.split())
+
+
+def test_a_list_that_is_piped_has_a_line_for_each_component() -> None:
+    (line,) = [line for line in printed("plugins", "list").splitlines() if " observation-outside " in line]
+    assert ["condition", "observation-outside", "gymnasium"] == line.split()[:3]
+    assert line.endswith("Its margins are the distances from both ends.")
+
+
 def broken_distribution(folder: Path) -> None:
     info = folder / "acme_robots-2.1.dist-info"
     info.mkdir()
@@ -134,11 +160,36 @@ def test_a_strict_list_exits_with_1_if_a_plugin_is_broken(tmp_path: Path, monkey
     monkeypatch.syspath_prepend(str(tmp_path))
     lenient = CliRunner().invoke(app, ["plugins", "list"])
     strict = CliRunner().invoke(app, ["plugins", "list", "--strict", "--json"])
+    monkeypatch.setenv(VERBOSE, "")
     loud = CliRunner().invoke(app, ["plugins", "list", "-v"])
     assert (0, 1, 0) == (lenient.exit_code, strict.exit_code, loud.exit_code)
     assert "not loaded: 'acme-nav' (acme-robots 2.1): No module named" in lenient.stdout
     assert ["acme-nav"] == [item["plugin"] for item in json.loads(strict.stdout)["broken"]]
     assert ("Traceback" in loud.stdout, "Traceback" in lenient.stdout) == (True, False)
+
+
+@pytest.mark.parametrize("command", ["info", "check"])
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        (
+            "acme-nav",
+            "no part named 'acme-nav': the plugin 'acme-nav' (acme-robots 2.1) could not be loaded: No module",
+        ),
+        ("acme", "could not be loaded and may provide it: 'acme-nav' (acme-robots 2.1): No module named 'shapely"),
+    ],
+)
+def test_asking_for_a_part_of_a_broken_plugin_says_why_it_is_not_there(
+    command: str,
+    name: str,
+    message: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    broken_distribution(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    assert message in refused(["plugins", command, name], capsys, monkeypatch)
 
 
 def test_the_schema_is_written_with_the_line_that_names_it(tmp_path: Path) -> None:
@@ -155,17 +206,32 @@ def test_a_schema_that_cannot_be_written_says_so(
     assert "cannot be written: No such file or directory." in said
 
 
-@pytest.mark.parametrize(("words", "traced"), [([], False), (["-v"], True)])
+@pytest.mark.parametrize(
+    ("words", "traced"),
+    [
+        (["run", "absent.yaml"], False),
+        (["-v", "run", "absent.yaml"], True),
+        (["run", "-v", "absent.yaml"], True),
+        (["run", "absent.yaml", "--verbose"], True),
+    ],
+)
 def test_a_mistake_is_told_with_its_traceback_on_request(
     words: list[str], traced: bool, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv(VERBOSE, "")
-    said = refused([*words, "run", "absent.yaml"], capsys, monkeypatch)
+    said = refused(words, capsys, monkeypatch)
     assert traced == ("Traceback" in said)
     assert "tutorstudent: absent.yaml: there is no such file." in said
 
 
-def test_hooks_are_traced_on_request(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("words", [command for command in COMMANDS if command not in ([], ["plugins"])], ids=" ".join)
+def test_every_command_takes_the_options_of_all(words: list[str]) -> None:
+    shown = printed(*words, "--help")
+    assert all(option in shown for option in ("--verbose", "-v", "--trace"))
+
+
+@pytest.mark.parametrize("words", [["--trace", "plugins", "info", "never"], ["plugins", "info", "never", "--trace"]])
+def test_hooks_are_traced_on_request(words: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(TRACE, "")
-    result: Any = CliRunner().invoke(app, ["--trace", "plugins", "info", "never"])
+    result: Any = CliRunner().invoke(app, words)
     assert "amplifiers: tutorstudent_components [hook]" in result.output

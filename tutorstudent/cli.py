@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 import sys
 import traceback
 from pathlib import Path
@@ -17,12 +16,12 @@ from rich.text import Text
 
 from tutorstudent.checks.command import check
 from tutorstudent.core.errors import TutorStudentError
-from tutorstudent.core.loading import TRACE
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import prepare, run_pipeline, write_run, writing
 from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.settings import read_settings
+from tutorstudent.everywhere import Trace, Verbose, everywhere, heed, is_verbose
 from tutorstudent.plugin_info import info
 from tutorstudent.plugin_list import plugins_list
 from tutorstudent.progress import ProgressBar
@@ -37,34 +36,27 @@ app = typer.Typer(
 )
 plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
 app.add_typer(plugins, name="plugins")
-app.command()(compare)
-app.command()(report)
-plugins.command("list")(plugins_list)
-plugins.command("info")(info)
-plugins.command("check")(check)
-plugins.command("new")(new)
+app.command()(everywhere(compare))
+app.command()(everywhere(report))
+plugins.command("list")(everywhere(plugins_list))
+plugins.command("info")(everywhere(info))
+plugins.command("check")(everywhere(check))
+plugins.command("new")(everywhere(new))
 
 PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="another value for a dotted key; repeatable")
 ]
-VERBOSE = "TUTORSTUDENT_VERBOSE"
 
 
 @app.callback()
-def everywhere(
-    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="show the traceback of a mistake too")] = False,
-    trace: Annotated[
-        bool, typer.Option("--trace", help="tell every call of a plugin's hook on standard error")
-    ] = False,
-) -> None:
+def program(verbose: Verbose = False, trace: Trace = False) -> None:
     """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
-    for name, wanted in ((VERBOSE, verbose), (TRACE, trace)):  # worker processes heed it too
-        if wanted:
-            os.environ[name] = "1"
+    heed(verbose, trace)
 
 
 @app.command()
+@everywhere
 def run(
     pipeline: PipelineFile,
     decisions: Annotated[int | None, typer.Option(min=1, help="how many decisions, instead of the file's")] = None,
@@ -93,6 +85,7 @@ def run(
 
 
 @app.command()
+@everywhere
 def schema(
     out: Annotated[Path | None, typer.Option(help="write it to this file, and say how a pipeline names it")] = None,
 ) -> None:
@@ -124,7 +117,7 @@ def main() -> NoReturn:
     try:
         app()
     except TutorStudentError as error:
-        if os.environ.get(VERBOSE):
+        if is_verbose():
             traceback.print_exc()
         typer.echo(f"tutorstudent: {error}", err=True)
         sys.exit(2)

@@ -48,9 +48,10 @@ def find(name: str, role: str | None, registry: Registry) -> Installed:
     if not found and role is not None:
         registry.get(role, name)  # says what there is instead
     if not found:
+        registry.check_not_broken(name)
         raise UnknownPlugin(
             f"no component is named '{name}'{suggestion(name, {item.cls.name for item in registry})}."
-            f"{registry.suspects()} `tutorstudent plugins list` shows all."
+            f" `tutorstudent plugins list` shows all.{registry.suspects()}"
         )
     return found[0]
 

@@ -148,7 +148,9 @@ def test_the_role_is_asked_for_where_a_name_has_several(install: Callable[..., N
 
 def test_a_plugin_that_could_not_be_loaded_is_named(install: Callable[..., None]) -> None:
     install("acme_nothing", "import shapely_that_is_not_there\n")
-    with pytest.raises(UnknownPlugin, match="Could not be loaded: 'acme_nothing' .*No module named 'shapely_that_is"):
+    with pytest.raises(
+        UnknownPlugin, match="could not be loaded and may provide it: 'acme_nothing' .*No module named 'shapely_that_is"
+    ):
         find_role(Registry.discover(), "acme-somebody", None)
 
 

@@ -11,6 +11,7 @@ import pytest
 from tutorstudent.core.errors import BrokenPlugin, UnknownPlugin
 from tutorstudent.core.hookspecs import API
 from tutorstudent.core.loading import ALLOW_LIST, TRACE, Broken
+from tutorstudent.core.pipeline import load
 from tutorstudent.core.registry import Registry
 
 Install = Callable[..., None]
@@ -22,6 +23,13 @@ def Lost(state):
     return False
 @ts.hookimpl
 def tutorstudent_components(): return [Lost]
+"""
+ABSTRACT = """\
+import tutorstudent as ts
+class Unfinished(ts.Tutor):
+    name = "unfinished"
+@ts.hookimpl
+def tutorstudent_components(): return [Unfinished]
 """
 
 
@@ -157,6 +165,20 @@ def test_a_pipeline_that_names_a_broken_plugin_is_told_so_again(install: Install
         registry.get("tutor", "bad")
     with pytest.raises(UnknownPlugin, match=r"could not be loaded and may provide it: 'bad' \(bad 2.1\)"):
         registry.get("tutor", "wall-follower")
+
+
+def test_a_pipeline_that_names_a_part_of_a_broken_plugin_is_told_the_reason_and_the_place(
+    install: Install, tmp_path: Path
+) -> None:
+    install("bad", ABSTRACT)
+    path = tmp_path / "p.yaml"
+    path.write_text("seed: 7\ntutor: unfinished\nstudent: silent\n")
+    with pytest.raises(BrokenPlugin) as caught:
+        load(path)
+    assert (
+        f"{path}:2:1: tutor: no tutor named 'unfinished': the plugin 'bad' (bad 2.1) could not be loaded: "
+        "tutor 'unfinished' (Unfinished) does not implement act. Tell the authors of bad, or uninstall it."
+    ) == str(caught.value)
 
 
 @pytest.mark.parametrize(

@@ -152,7 +152,7 @@ def test_the_second_of_one_name_is_broken_as_a_whole(plugin: Any) -> None:
     )
     assert ["second"] == [broken.entry_point for broken in registry.broken]
     assert "already there, from 'first'" in registry.broken[0].reason
-    with pytest.raises(UnknownPlugin):
+    with pytest.raises(BrokenPlugin, match="no world named 'rail': the plugin 'second' .* could not be loaded: tutor"):
         registry.get("world", "rail")
 
 
@@ -178,8 +178,38 @@ def test_naming_a_broken_plugin_says_that_it_is_broken() -> None:
     registry = Registry.discover([metadata.EntryPoint("acme_nav", "no_such_module_at_all", "tutorstudent")])
     with pytest.raises(BrokenPlugin, match="the plugin 'acme_nav' .* could not be loaded: No module named"):
         registry.get("tutor", "acme-nav")
-    with pytest.raises(UnknownPlugin, match="could not be loaded and may provide it: 'acme_nav'"):
+    with pytest.raises(UnknownPlugin, match="could not be loaded and may provide it: 'acme_nav' .*: No module named"):
         registry.get("tutor", "other")
+
+
+@pytest.mark.parametrize(
+    ("returned", "role", "name", "reason"),
+    [
+        ([Abstract], "tutor", "abstract", "tutor 'abstract' (Abstract) does not implement act. Tell the authors of"),
+        ([Abstract, Rail], "world", "rail", "tutor 'abstract' (Abstract) does not implement act."),
+        ([Rail, Pusher()], "tutor", "pusher", "return component classes."),
+        ([Rail, Rail], "world", "rail", "world 'rail' of 'bad' stands there twice; rename one of them."),
+    ],
+)
+def test_naming_a_part_of_a_broken_plugin_says_why_it_is_not_there(
+    plugin: Any, returned: list[Any], role: str, name: str, reason: str
+) -> None:
+    registry = Registry.discover([plugin("bad", tutorstudent_components=hook(*returned))])
+    with pytest.raises(BrokenPlugin) as caught:
+        registry.get(role, name)
+    assert f"no {role} named '{name}': the plugin 'bad' (unknown distribution) could not be loaded: " in str(
+        caught.value
+    )
+    assert reason in str(caught.value)
+    with pytest.raises(UnknownPlugin):
+        registry.get("student", name)
+
+
+def test_a_reason_of_several_lines_becomes_one(plugin: Any) -> None:
+    misspelt = hook(Pusher)
+    misspelt.__name__ = "tutorstudent_component"
+    registry = Registry.discover([plugin("bad", tutorstudent_component=misspelt)])
+    assert "\n" not in registry.broken[0].told()
 
 
 def test_the_allow_list_limits_third_parties_only(plugin: Any, monkeypatch: pytest.MonkeyPatch) -> None:

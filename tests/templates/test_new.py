@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import subprocess
 import sys
 import tomllib
@@ -73,6 +74,25 @@ def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) ->
     )
     said = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "my_tutor-0.1.0-py3-none-any.whl" == said.stdout.strip()
+
+
+def test_it_says_what_it_wrote_as_json(tmp_path: Path) -> None:
+    out = tmp_path / "my folder"
+    result = CliRunner().invoke(app, ["plugins", "new", "world", "my-world", "--out", str(out), "--json"])
+    told = json.loads(result.stdout)
+    assert ("world", "my-world", "my_world", "MyWorld") == tuple(
+        told[key] for key in ("role", "name", "module", "class_name")
+    )
+    assert (str(out), {path for path in out.rglob("*") if path.is_file()}) == (
+        told["folder"],
+        set(map(Path, told["written"])),
+    )
+
+
+def test_a_folder_with_a_space_is_quoted(tmp_path: Path) -> None:
+    out = tmp_path / "my folder"
+    shown = CliRunner().invoke(app, ["plugins", "new", "world", "my-world", "--out", str(out)]).stdout
+    assert f"  cd '{out}'\n" in shown
 
 
 def test_the_folder_is_the_name_unless_said_otherwise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

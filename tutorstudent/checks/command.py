@@ -63,6 +63,7 @@ def find_role(registry: Registry, name: str, role: str | None) -> str:
 
     Raises:
         UnknownPlugin: if there is none.
+        BrokenPlugin: if a plugin that has it could not be loaded.
         PipelineError: if there are several, or the role is none.
     """
     if role is not None and role not in ROLES:
@@ -74,10 +75,9 @@ def find_role(registry: Registry, name: str, role: str | None) -> str:
         raise PipelineError(f"'{name}' is the name of parts of the roles {listing(roles)}; say which, as in --role.")
     if not roles:
         known = [installed.cls.name for installed in registry]
-        broken = [f"'{item.entry_point}' ({item.distribution}): {item.reason}" for item in registry.broken]
-        hint = f" Could not be loaded: {'; '.join(broken)}" if broken else ""
+        registry.check_not_broken(name)
         raise UnknownPlugin(
             f"no part named '{name}'{suggestion(name, known)}. Installed: {listing(known)}. "
-            f"A package has to be installed with pip to be found.{hint}"
+            f"A package has to be installed with pip to be found.{registry.suspects()}"
         )
     return roles[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import re
 import sys
@@ -30,6 +31,18 @@ class Broken(NamedTuple):
     reason: str
     remedy: str
     trace: str
+    parts: tuple[tuple[str, str], ...] = ()
+    """Role and name of what its hook returned; empty where it did not get that far."""
+
+    def told(self) -> str:
+        """Return what it is, why it could not be used, and what to do."""
+        return f"'{self.entry_point}' ({self.distribution}): {self.reason} {self.remedy}"
+
+    def provides(self, name: str, role: str | None = None) -> bool:
+        """Return whether it is of that name, or would have brought such a part; of any role where none is given."""
+        if name in (self.entry_point, self.entry_point.replace("_", "-")):
+            return True
+        return any(name == part_name and role in (None, part_role) for part_role, part_name in self.parts)
 
 
 def installed_entry_points(broken: list[Broken]) -> list[metadata.EntryPoint]:
@@ -127,6 +140,19 @@ def distribution_of(entry_point: metadata.EntryPoint) -> str:
     return f"{dist.name} {dist.version}" if dist is not None and dist.name else UNKNOWN
 
 
+def broken_by(error: BaseException, entry_point: metadata.EntryPoint, returned: Iterable[Any]) -> Broken:
+    """Return the record of an entry point that could not be used; `returned` is what its hook did, if it got there."""
+    distribution = distribution_of(entry_point)
+    reason, remedy = diagnosis(error, distribution)
+    parts = tuple((part.role, part.name) for part in map(_class_of, returned) if issubclass(part, Component))
+    trace = "".join(traceback.format_exception(error))
+    return Broken(entry_point.name, distribution, " ".join(reason.split()), remedy, trace, parts)
+
+
+def _class_of(part: Any) -> type[Any]:
+    return part if inspect.isclass(part) else type(part)
+
+
 def diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
     """Return reason and remedy, in sentences, for what came out of loading an entry point."""
     package = "its package" if distribution == UNKNOWN else distribution.split()[0]
@@ -136,9 +162,7 @@ def diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
             missing = f"Install '{error.name}' (perhaps as an extra of {package}), or uninstall {package}."
             return f"{error.msg}.", missing
         case pluggy.PluginValidationError():
-            return str(
-                error
-            ).strip(), f"The hook is called tutorstudent_components() and takes nothing; tell {package}."
+            return str(error), f"The hook is called tutorstudent_components() and takes nothing; tell {package}."
         case TooNew():
             return str(error), f"Upgrade {GROUP}, or uninstall {package}."
         case TooOld():

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import re
-import traceback
 from collections.abc import Iterable, Iterator
 from importlib import metadata
 from typing import NamedTuple
@@ -16,8 +15,8 @@ from tutorstudent.core.leaves import Change, Codec, Condition, Encoder
 from tutorstudent.core.loading import (
     Broken,
     allowed,
+    broken_by,
     components,
-    diagnosis,
     distribution_of,
     doubled,
     installed_entry_points,
@@ -77,9 +76,9 @@ class Registry:
 
     def load(self, entry_point: metadata.EntryPoint) -> None:
         """Add the components of one entry point: all of them, or none and a `Broken` record."""
-        distribution = distribution_of(entry_point)
+        classes: list[type[Component]] = []
         try:
-            classes = list(components(entry_point))
+            classes += components(entry_point)
             for cls in classes:
                 self._check(cls, entry_point.name)
             if twice := doubled(classes):
@@ -89,11 +88,10 @@ class Registry:
         except KeyboardInterrupt:
             raise
         except BaseException as error:
-            reason, remedy = diagnosis(error, distribution)
-            self.broken.append(Broken(entry_point.name, distribution, reason, remedy, traceback.format_exc()))
+            self.broken.append(broken_by(error, entry_point, classes))
             return
         for cls in classes:
-            self.add(cls, entry_point.name, distribution)
+            self.add(cls, entry_point.name, distribution_of(entry_point))
 
     def add(self, cls: type[Component], entry_point: str = "", distribution: str = "this program") -> None:
         """Add one component class."""
@@ -105,30 +103,36 @@ class Registry:
 
         Raises:
             UnknownPlugin: if there is none.
-            BrokenPlugin: if there is none and an entry point of that name could not be loaded.
+            BrokenPlugin: if there is none, and a plugin that has it, or is of that name, could not be loaded.
         """
         if (role, name) in self._found:
             return self._found[role, name].cls
-        for broken in self.broken:
-            if name in (broken.entry_point, broken.entry_point.replace("_", "-")):
-                raise BrokenPlugin(
-                    f"no {role} named '{name}': the plugin '{broken.entry_point}' ({broken.distribution}) could not be "
-                    f"loaded: {broken.reason} {broken.remedy}"
-                )
+        self.check_not_broken(name, role)
         known = [installed.cls.name for installed in self.of(role)]
-        hint = self.suspects()
         elsewhere = [found_role for found_role, found_name in self._found if found_name == name]
-        if elsewhere:
-            hint = f" There is {an(elsewhere[0])} of that name.{hint}"
+        hint = f" There is {an(elsewhere[0])} of that name." if elsewhere else ""
         raise UnknownPlugin(
             f"no {role} named '{name}'{suggestion(name, known)}. Installed: {listing(known)}.{hint} "
-            f"`tutorstudent plugins list` shows all; a package with {an(role)} is installed with pip."
+            f"`tutorstudent plugins list` shows all; a package with {an(role)} is installed with pip.{self.suspects()}"
         )
+
+    def check_not_broken(self, name: str, role: str | None = None) -> None:
+        """Say why a part is not there, if a plugin that has it, or is of that name, could not be loaded.
+
+        Raises:
+            BrokenPlugin: if so; the message has the reason and the remedy.
+        """
+        for broken in self.broken:
+            if broken.provides(name, role):
+                raise BrokenPlugin(
+                    f"no {role or 'part'} named '{name}': the plugin '{broken.entry_point}' ({broken.distribution}) "
+                    f"could not be loaded: {broken.reason} {broken.remedy}"
+                )
 
     def suspects(self) -> str:
         """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
-        others = ", ".join(f"'{broken.entry_point}' ({broken.distribution})" for broken in self.broken)
-        return f" These plugins could not be loaded and may provide it: {others}." if others else ""
+        others = " ".join(broken.told() for broken in self.broken)
+        return f" These plugins could not be loaded and may provide it: {others}" if others else ""
 
     def of(self, role: str) -> list[Installed]:
         """Return the components of a role, by name."""
