@@ -27,6 +27,7 @@ html_title = "tutorstudent"
 html_static_path = ["_static"]
 html_css_files = ["tables.css"]
 smartquotes = False
+default_role = "code"  # in docstrings, `name` is a name
 copyright = "the tutorstudent founders, MIT licence"  # noqa: A001 - Sphinx reads this name
 
 myst_enable_extensions = ["colon_fence", "deflist"]
