@@ -30,10 +30,11 @@ def test_the_example_of_every_role_passes_its_checks_and_runs(
     write_plugin(names, tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
     module = importlib.import_module(names.module)
-    (cls,) = module.tutorstudent_components()
+    cls, *others = module.tutorstudent_components()
     assert (names.class_name, names.name, role) == (cls.__name__, cls.name, cls.role)
     registry = Registry.discover()
-    registry.add(cls)
+    for part in (cls, *others):
+        registry.add(part)
     tests = tmp_path / "tests" / f"test_{names.module}.py"
     assert 0 == pytest.main(["-q", "-p", "no:cacheprovider", "--rootdir", str(tmp_path), str(tests)])
     pipeline = Pipeline.read(tmp_path / "pipeline.yaml", registry).replaced({"decisions": 30, "on_incident": "raise"})
@@ -42,6 +43,13 @@ def test_the_example_of_every_role_passes_its_checks_and_runs(
     assert 0 == finished.summary["incidents"]
     for name in [name for name in sys.modules if name.partition(".")[0] == names.module]:
         del sys.modules[name]
+
+
+def test_the_example_of_a_tutor_counts_what_a_comparison_takes_for_achievement(tmp_path: Path) -> None:
+    files = contents(names_of("tutor", "my-tutor", Registry()))
+    assert "observers: [my-tutor-approaches]\n" in files["pipeline.yaml"]
+    assert "return [MyTutor, Approaches]" in files["my_tutor/__init__.py"]
+    assert '__all__ = ["Approaches", "MyTutor"]' in files["my_tutor/__init__.py"]
 
 
 def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:

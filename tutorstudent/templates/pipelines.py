@@ -10,24 +10,24 @@ PLAIN = {
     "amplifier": "{use: learning-phase, decisions: 500}",
     "evaluator": "conditions",
     "conditions": "[bumped]",
-    "observers": "[]",
+    "observers": "[attractors]",
 }
 """Every slot, where the new part is none of it."""
 
 _LEVELS = {"selector": "modifier"}
 
 WITH: dict[str, dict[str, str]] = {
-    "tutor": {"tutor": "$name"},
+    "tutor": {"tutor": "$name", "observers": "[$name-approaches]"},
     "student": {"student": "$name"} | _LEVELS,
     "selector": {"selector": "$name"},
     "amplifier": {"amplifier": "$name"},
     "evaluator": {"evaluator": "$name"},
-    "world": {"world": "$name"},
+    "world": {"world": "$name", "observers": "[]"},
     "encoder": {"student": "{use: backprop, encoder: $name, codec: kind-level-ampbit}"},
     "codec": {"student": "{use: backprop, encoder: prototype2-bits, codec: $name}"} | _LEVELS,
     "change": {"amplifier": "{use: learning-phase, decisions: 500, change: $name}"},
     "condition": {"conditions": "[$name]"},
-    "observer": {"observers": "[$name]"},
+    "observer": {"observers": "[attractors, $name]"},
 }
 """What differs, by the role of the new part."""
 

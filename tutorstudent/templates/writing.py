@@ -13,6 +13,8 @@ from tutorstudent.templates.naming import Names
 from tutorstudent.templates.pipelines import slots
 
 SUFFIX = ".in"
+BESIDE = {"tutor": ("Approaches",)}
+"""What an example brings beside the part that was asked for, by role: what it counts makes a comparison tell more."""
 
 
 def write_plugin(names: Names, out: Path) -> list[Path]:
@@ -52,7 +54,14 @@ def contents(names: Names) -> dict[str, str]:
 def _values(names: Names) -> dict[str, str]:
     article = "an" if names.role[0] in "aeiou" else "a"
     words = {"article": article, "article_upper": article.capitalize(), "version": tutorstudent.__version__}
-    return slots(names.role, names.name) | names._asdict() | words
+    return slots(names.role, names.name) | names._asdict() | words | _classes(names)
+
+
+def _classes(names: Names) -> dict[str, str]:
+    """Return the plugin's classes as its files list them; sorted where a linter wants them to be."""
+    provided = [names.class_name, *BESIDE.get(names.role, ())]
+    exported = ", ".join(f'"{name}"' for name in sorted(provided))
+    return {"provided": ", ".join(provided), "imported": ", ".join(sorted(provided)), "exported": exported}
 
 
 def _text(source: str) -> str:
