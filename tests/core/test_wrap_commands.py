@@ -316,7 +316,7 @@ def test_a_failure_action_before_the_first_command_needs_a_write_that_takes_none
 
 
 def test_actions_go_through_as_they_are() -> None:
-    assert pytest.approx(0.55) == once(SPEED(speed=0.5), SPEED).speed
+    assert pytest.approx(0.55) == once(SPEED.read({"speed": 0.5}), SPEED).speed
 
 
 @pytest.mark.parametrize(

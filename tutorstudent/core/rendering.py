@@ -56,7 +56,8 @@ def _moved_scalar(group: Group, value: float, distance: float) -> float:
     sign = 1.0 if group.direction == "+" else -1.0
     if group.direction == "outward":
         sign = math.copysign(1.0, value - group.neutral[0]) if value != group.neutral[0] else 0.0
-    return min(max(value + sign * distance, group.low[0]), group.high[0])
+    end, low, high = value + sign * distance, group.low[0], group.high[0]
+    return low if end < low else high if end > high else end
 
 
 def _moved_vector(group: Group, values: list[float], distance: float) -> tuple[float, ...]:
