@@ -38,7 +38,9 @@ def goals(seen: dict[str, Timing]) -> list[tuple[str, str, str, str]]:
     crowd = us["with three others: closed loop"] - us["with three others: its bare pybullet calls"]
     ratio = us["MLPRegressor.partial_fit x3"] / us["network, teaching x3"]
     action = us["one validated action"]
+    bare = us["the controller that is wrapped, alone"]
     rows = [
+        ("wrap, silent student, beyond the controller alone", 15, us["wrap, silent student"] - bare),
         ("engine with a silent student", 15, us["engine, silent student"]),
         ("whole cycle without the world", 75, us["whole cycle without world, 14-30-7, teaching rate 3"]),
         ("closed loop minus its bare pybullet calls, alone", 120, solo),

@@ -70,18 +70,25 @@ def parts_work() -> Work:
     network.randomize(rng, 0.1)
     x, target = rng.integers(0, 2, 14).astype(float), rng.integers(0, 2, 7).astype(float)
     tutor = Pipeline(parse_yaml(FULL, "bench")).engine().tutor
-    wrapped = ts.wrap(lambda state: 0.5, action=ts.scalar(-1, 1), student="silent", amplifier="never")
+    silent = ts.wrap(_half, action=ts.scalar(-1, 1), student="silent", amplifier="never")
+    readme = ts.wrap(_half, action=ts.scalar(-1, 1), condition=lambda y: y > 80)
     fixed = engine(SILENT, tutor=Fixed())
     return {
         "one validated action": (loop(lambda _: DriveAction(kind="forward", translation=0.2), inputs), DECISIONS),
         "engine, silent student": (loop(fixed.step, inputs), DECISIONS),
-        "ts.wrap, silent student": (loop(wrapped.step, [0.3] * DECISIONS), DECISIONS),
+        "the controller that is wrapped, alone": (loop(_half, [0.3] * DECISIONS), DECISIONS),
+        "wrap, silent student": (loop(silent.step, [0.3] * DECISIONS), DECISIONS),
+        "wrap as in the README (table student, one condition)": (loop(readme.step, [0.3] * DECISIONS), DECISIONS),
         "prototype 2, acting": (loop(tutor.act, inputs), DECISIONS),
         "whole cycle without world, 14-30-7, teaching rate 3": (loop(engine(FULL).step, inputs), DECISIONS),
         "network, forward": (loop(lambda _: network.forward(x), inputs), DECISIONS),
         "network, teaching x3": (loop(lambda _: network.teach(x, target, 3), inputs), DECISIONS),
         "MLPRegressor.partial_fit x3": (_sklearn(x, target), 100),
     }
+
+
+def _half(_: float) -> float:
+    return 0.5
 
 
 def _sklearn(x: Any, target: Any) -> Callable[[], object]:
