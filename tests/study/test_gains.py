@@ -13,7 +13,7 @@ from tutorstudent.study.gains import Gains, Outcome, Row, gains
 from tutorstudent.study.labels import Box, placed
 from tutorstudent.study.palette import Palette
 from tutorstudent.study.plan import Environment, Variant
-from tutorstudent.study.scatter import scatter
+from tutorstudent.study.scatter import DISC, RING, scatter
 from tutorstudent.study.traces import Measures, Trace, Traces
 
 SEEDS = (4, 5, 6)
@@ -88,12 +88,14 @@ def test_the_picture_has_a_mark_for_each_run_and_a_name_for_each_mean() -> None:
     assert "+200 %" in drawn
 
 
-def test_means_of_controls_are_hollow() -> None:
-    shown = rows(2)
-    names = list(shown)
-    drawn = scatter(Gains("prey", "collided", "alone", 8.0, shown), palette_of(shown), controls=names[1:])
-    assert 0 == len(re.findall(r'<use [^>]*style="fill: var\(--panel\); stroke: var\(--v0\)', drawn))
-    assert 1 == len(re.findall(r'<use [^>]*style="fill: var\(--panel\); stroke: var\(--v1\)', drawn))
+def test_means_of_controls_are_rings_in_which_a_learner_that_comes_to_the_same_is_seen() -> None:
+    row = Row((Outcome(3.0, 5.0),), Outcome(3.0, 5.0), Outcome(0.0, 0.0))
+    shown = {"learner": row, "blind": row}
+    drawn = scatter(Gains("prey", "collided", "alone", 8.0, shown), palette_of(shown), controls=["blind"])
+    assert 1 == len(re.findall(r'<use [^>]*style="fill: var\(--v0\); stroke: var\(--v0\)', drawn))
+    assert 1 == len(re.findall(r'<use [^>]*style="fill-opacity: 0; stroke: var\(--v1\)', drawn))
+    assert drawn.index("stroke: var(--v0)") < drawn.index("fill-opacity: 0; stroke")
+    assert DISC < RING - 2
 
 
 @pytest.mark.parametrize("harm", [0.0, 3.0, 9_000.0])

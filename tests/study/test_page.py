@@ -199,7 +199,7 @@ def test_every_drawing_has_a_text(outline: Outline) -> None:
 
 def test_the_page_says_what_a_control_is_and_that_speed_finds_more(text: str) -> None:
     assert CONTROLS in text
-    assert "Driving faster finds more attractors whether or not anything was learned" in CONTROLS
+    assert "Amplifying alone may achieve more, whether or not anything was learned" in CONTROLS
 
 
 def test_a_variant_has_one_colour_everywhere(study: Study, text: str) -> None:

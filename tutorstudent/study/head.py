@@ -12,7 +12,7 @@ from tutorstudent.study.results import Failure, Study
 from tutorstudent.study.tables import CONTROLS, INTERVALS
 
 NO_CONTROLS = (
-    "This comparison was made without controls. Driving faster finds more attractors whether or not anything was "
+    "This comparison was made without controls. Amplifying alone may achieve more, whether or not anything was "
     "learned, so nothing on this page shows that learning is worth anything."
 )
 

@@ -57,9 +57,9 @@ def _gain_gallery(environment: Environment, traces: Traces, palette: Palette) ->
     found = gains(environment, traces)
     controls = [variant.name for variant in environment.variants if variant.control]
     note = (
-        "A dot is a run; a large mark is the mean of a variant, a hollow one that of a control, with a standard "
-        f"deviation to each side. On the right, percent of the mean of {escape(environment.reference)}. Dashed: the "
-        "thesis's bound, 0.1\N{NO-BREAK SPACE}% of the decisions."
+        "A dot is a run; a large mark is the mean of a variant, a hollow ring that of a control, with a standard "
+        f"deviation to each side. On the right, percent of the mean of {escape(environment.reference)}. Dashed: "
+        "0.1\N{NO-BREAK SPACE}% of the decisions, a bound to hold results against."
     )
     title = "What was gained, and what it cost"
     return Gallery(title, note, "wide", [] if found is None else [scatter(found, palette, controls)])

@@ -11,26 +11,27 @@ from matplotlib.axes import Axes
 
 from tutorstudent.study.gains import PER, Gains, Row
 from tutorstudent.study.labels import Box, Point, placed
-from tutorstudent.study.palette import GROUND, INK, Palette
+from tutorstudent.study.palette import INK, Palette
 from tutorstudent.study.scales import LINEAR_UP_TO, LONG_LABEL, long_ticks
 from tutorstudent.study.svg import STYLE, sheet, svg
 
 WIDTH_PX, HEIGHT_PX, RIGHT_PX = 720, 430, 48
 LETTER_PX, LINE_PX = 5.9, 11.0
 BUDGET = 0.001 * PER
-"""The thesis's own bound: collisions in less than 0.1 % of the decisions (Thesis 4.4)."""
+"""A bound to hold results against: the thesis's, collisions in less than 0.1 % of the decisions (Thesis 4.4)."""
 DASHED = (0, (3, 2))
+DISC, RING = 6.0, 12.0
 
 
 def scatter(gains: Gains, palette: Palette, controls: Collection[str]) -> str:
-    """Return an SVG: a small mark for each run, a large one with its name for the mean; controls are hollow."""
+    """Return an SVG: a small mark for each run, a large one with its name for the mean; controls are rings."""
     with mpl.rc_context(STYLE):
         figure, axes = sheet(WIDTH_PX, HEIGHT_PX, left_px=48, bottom_px=36, right_px=RIGHT_PX)
         _across(axes, gains)
         _upward(axes, gains)
         for name, row in gains.rows.items():
             _draw_runs(axes, row, palette.drawn(name))
-            _draw_mean(axes, row, palette.drawn(name), hollow=name in controls)
+            _draw_mean(axes, row, palette.drawn(name), ring=name in controls)
         _draw_names(axes, gains, palette)
         return svg(figure, _alt(gains), palette.stand_ins())
 
@@ -86,11 +87,13 @@ def _draw_runs(axes: Axes, row: Row, colour: str) -> None:
     axes.plot(harm, gain, "o", color=colour, markersize=4.0, alpha=0.6, markeredgewidth=0)
 
 
-def _draw_mean(axes: Axes, row: Row, colour: str, *, hollow: bool) -> None:
+def _draw_mean(axes: Axes, row: Row, colour: str, *, ring: bool) -> None:
     for ends in _bars(row):
         axes.plot(*zip(*ends, strict=True), color=colour, linewidth=1.0, alpha=0.5)
-    style: Any = {"markersize": 9, "markeredgewidth": 2, "markeredgecolor": colour, "zorder": 4}
-    axes.plot(*row.mean, "o", markerfacecolor=GROUND if hollow else colour, **style)
+    # A ring and a smaller disc are both seen where a control comes to the same as a learner.
+    size, fill, zorder = (RING, "none", 5) if ring else (DISC, colour, 4)
+    style: Any = {"markersize": size, "markerfacecolor": fill, "markeredgecolor": colour, "zorder": zorder}
+    axes.plot(*row.mean, "o", markeredgewidth=2, **style)
 
 
 def _bars(row: Row) -> list[list[Point]]:

@@ -14,7 +14,7 @@ from tutorstudent.study.results import Run, Study
 from tutorstudent.study.table import Row, Table
 
 CONTROLS = (
-    "A control learns nothing or is told nothing. Driving faster finds more attractors whether or not anything was "
+    "A control learns nothing or is told nothing. Amplifying alone may achieve more, whether or not anything was "
     "learned, so a variant has shown what learning is worth only where it beats its controls, not the tutor alone."
 )
 INTERVALS = (
