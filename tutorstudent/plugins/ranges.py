@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import math
+import operator
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,7 +23,8 @@ class Ranges(Encoder[Any, Any]):
     """Thermometer codes of the tutor's components and of the state's numbers, `steps` bits each.
 
     A component ranges over its bounds, or one scale either side of neutral where it has none. The state's numbers are
-    coded where ranges are declared for them; without ranges the state is not looked at.
+    coded where ranges are declared for them; without ranges the state is not looked at. The numbers are those of a
+    sequence, an array, a mapping or a dataclass, in its order, or of the part of the state that `of` names.
     """
 
     name = "ranges"
@@ -30,9 +35,16 @@ class Ranges(Encoder[Any, Any]):
         ranges: list[tuple[float, float]] = Field(
             default=[], description="low and high of each number of the state, in the state's own units"
         )
+        of: str = Field(
+            default="",
+            pattern=r"^(\w+(\.\w+)*)?$",
+            description="attribute of the state that has the numbers, as in observation or pose.position; "
+            "empty: the state itself",
+        )
         steps: int = Field(default=8, ge=1, description="bits for each number")
 
     def setup(self) -> None:
+        self._part = operator.attrgetter(self.options.of) if self.options.of else None
         components = self.action_class.vocabulary.components.values()
         bounds = [
             (low if math.isfinite(low) else neutral - scale, high if math.isfinite(high) else neutral + scale)
@@ -53,21 +65,41 @@ class Ranges(Encoder[Any, Any]):
     def width(self) -> int:
         return int(self._thresholds.size)
 
-    def examples(self) -> list[list[float]]:
+    def examples(self) -> list[Any]:
         """Return states to try it with: the ends and the middle of every range."""
-        return [[low + share * (high - low) for low, high in self.options.ranges] for share in (0.0, 0.5, 1.0)]
+        found: list[Any] = [
+            [low + share * (high - low) for low, high in self.options.ranges] for share in (0.0, 0.5, 1.0)
+        ]
+        for name in reversed(self.options.of.split(".") if self.options.of else []):
+            found = [SimpleNamespace(**{name: state}) for state in found]
+        return found
 
     def encode(self, moment: Moment[Any, Any]) -> Vector:
         own, numbers = len(self._components), self._numbers[:, 0]
         for place, name in enumerate(self._components):
             numbers[place] = getattr(moment.tutor_action, name)
         if self.options.ranges:
-            state = np.asarray(moment.state, dtype=np.float64)
+            state = _array(moment.state if self._part is None else self._part(moment.state))
             if state.size != len(numbers) - own:
                 raise ValueError(f"the state has {state.size} numbers; {len(self.options.ranges)} ranges are declared.")
             numbers[own:] = state.ravel()
         bits: Vector = np.greater(self._numbers, self._thresholds, out=np.empty(self._thresholds.shape))
         return bits.ravel()
+
+
+def _array(state: Any) -> Vector:
+    numbers = state
+    if isinstance(state, Mapping):
+        numbers = list(state.values())
+    elif is_dataclass(state):
+        numbers = [getattr(state, field.name) for field in fields(state)]
+    try:
+        return np.asarray(numbers, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"a {type(state).__name__} is no plain list of numbers; name the part of it that has them with 'of', "
+            "as in of: observation."
+        ) from None
 
 
 @hookimpl
