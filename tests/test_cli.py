@@ -141,7 +141,7 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
     words = ["run", str(FULL), "--decisions", "7", "--set", "student=bad", "--set", "selector=modifier"]
     lenient = tutorstudent(*words, "--out", str(tmp_path / "a"), PYTHONPATH=str(tmp_path))
     assert 0 == lenient.returncode
-    assert "incidents: student: raised: 7" in lenient.stdout
+    assert "incidents: student: raised: 7; the newest: RuntimeError: tired" in lenient.stdout
     assert 1 == tutorstudent(*words, "--out", str(tmp_path / "b"), "--strict", PYTHONPATH=str(tmp_path)).returncode
 
 

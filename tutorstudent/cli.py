@@ -7,7 +7,7 @@ import math
 import sys
 import traceback
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 from rich.console import Console
@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from tutorstudent.checks.command import check
+from tutorstudent.core.engine import Engine
 from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
@@ -77,8 +78,7 @@ def run(
     _print_summary(finished.summary)
     if note:
         typer.echo(f"tutorstudent: {note}", err=True)
-    for (part, kind), count in sorted(finished.engine.incident_counts.items()):
-        _say(f"incidents: {part}: {kind}: {count}")
+    _print_incidents(finished.engine)
     _say(f"written to {directory}")
     if strict and finished.engine.incident_counts:
         raise typer.Exit(1)
@@ -106,6 +106,13 @@ def _print_summary(summary: dict[str, float]) -> None:
         whole = math.isfinite(value) and value == int(value)
         table.add_row(Text(key), f"{int(value):,}" if whole else f"{value:,.4g}")
     Console().print(table)
+
+
+def _print_incidents(engine: Engine[Any, Any, Any]) -> None:
+    newest = {(incident.part, incident.kind): incident.message for incident in engine.incidents}
+    for key, count in sorted(engine.incident_counts.items()):
+        message = f"; the newest: {newest[key]}" if key in newest else ""
+        _say(f"incidents: {key[0]}: {key[1]}: {count}{message}")
 
 
 def _say(text: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from typing import Any
 
@@ -109,10 +110,16 @@ def as_tutor(controller: Any, action: type[Action] | None) -> Tutor[Any, Any]:
 
 
 class Loop:
-    """An engine round an existing controller, in the owner's own types."""
+    """An engine round an existing controller, in the owner's own types.
+
+    The first incident of each part and kind is logged as a warning of the logger ``tutorstudent``; all are in
+    ``engine.incidents`` and counted in ``engine.incident_counts``.
+    """
 
     def __init__(self, engine: Engine[Any, Any, Any]) -> None:
         self.engine = engine
+        self._counts = engine.incident_counts
+        self._told: set[tuple[str, str]] = set()
         self._tutor = engine.tutor if isinstance(engine.tutor, FunctionTutor) else None
 
     def step(self, state: Any) -> Any:
@@ -120,7 +127,12 @@ class Loop:
 
         At level 0 it is the controller's own object; also where no other could be made, which is an incident.
         """
-        action = self.engine.step(read_only(state))
+        command = self._written(self.engine.step(read_only(state)))
+        if len(self._counts) > len(self._told):
+            self._tell()
+        return command
+
+    def _written(self, action: Action) -> Any:
         tutor = self._tutor
         if tutor is None:
             return action
@@ -131,6 +143,14 @@ class Loop:
                 raise
             self.engine.refused(error)
             return tutor.command
+
+    def _tell(self) -> None:
+        for decision, part, kind, message in self.engine.incidents:
+            if (part, kind) not in self._told:
+                self._told.add((part, kind))
+                logging.getLogger("tutorstudent").warning(
+                    "decision %d: %s: %s: %s (others of this kind are only counted)", decision, part, kind, message
+                )
 
     def executed(self, command: Any) -> None:
         """Say what was really executed instead of the last command."""

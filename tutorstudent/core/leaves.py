@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.actions import ActionT
 from tutorstudent.core.component import EnginePart
+from tutorstudent.core.errors import ContractError, shown
 from tutorstudent.core.proposals import ProposalT
 from tutorstudent.core.records import GradedAction, Moment, StateT
 
@@ -135,6 +136,11 @@ def condition(name: str) -> Callable[[Callable[[Any], bool]], type[Condition[Any
 
 
 def _leaf(base: type[Any], name: str, function: Callable[..., Any], body: dict[str, Any]) -> type[Any]:
-    described = {"name": name, "__doc__": function.__doc__, "__module__": function.__module__}
+    if not callable(function):
+        raise ContractError(
+            f"{base.role} '{name}': found {shown(function)}; expected a function, as in lambda y: y > 80."
+        )
+    like = function if hasattr(function, "__name__") else type(function)  # of an object, its class
+    described = {"name": name, "__doc__": like.__doc__, "__module__": like.__module__}
     body |= {"__wrapped__": staticmethod(function)}  # its annotations say what it is made for
-    return type(function.__name__, (base,), described | body)
+    return type(like.__name__, (base,), described | body)
