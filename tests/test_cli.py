@@ -212,3 +212,22 @@ def test_every_command_has_help(words: list[str]) -> None:
     result = CliRunner().invoke(app, [*words, "--help"])
     assert 0 == result.exit_code
     assert "Usage:" in result.stdout
+
+
+@pytest.mark.parametrize("earlier", [False, True])
+def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, earlier: bool
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    out = tmp_path / "run"
+    words = ["run", str(FULL), "--decisions", "5", "--out", str(out)]
+    if earlier:
+        assert 0 == CliRunner().invoke(app, words).exit_code
+    kept = sorted(path.name for path in tmp_path.rglob("*"))
+    monkeypatch.setattr("tutorstudent.cli.run_pipeline", interrupted)
+    result = CliRunner().invoke(app, words)
+    assert 130 == result.exit_code
+    assert "interrupted; a run is written at its end, so nothing is." in result.stderr
+    assert kept == sorted(path.name for path in tmp_path.rglob("*"))

@@ -6,6 +6,7 @@ import json
 import math
 import sys
 import traceback
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
@@ -19,7 +20,7 @@ from tutorstudent.core.engine import Engine
 from tutorstudent.core.errors import TutorStudentError
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import prepare, run_pipeline, write_run, writing
+from tutorstudent.core.rundir import Finished, prepare, run_pipeline, write_run, writing
 from tutorstudent.core.schema import pipeline_schema
 from tutorstudent.core.settings import read_settings
 from tutorstudent.everywhere import Trace, Verbose, everywhere, heed, is_verbose
@@ -72,8 +73,7 @@ def run(
     chosen = Pipeline.read(pipeline).replaced(changes)
     directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
     prepare(directory)
-    with ProgressBar(f"{pipeline.stem}, seed {chosen.header.seed}") as bar:
-        finished = run_pipeline(chosen, [bar])
+    finished = _finished(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
     note = write_run(directory, finished)
     _print_summary(finished.summary)
     if note:
@@ -98,6 +98,17 @@ def schema(
         out.write_text(f"{text}\n", encoding="utf-8")
     _say(f"written to {out}; editors use it where a pipeline begins with the line")
     _say(f"# yaml-language-server: $schema={out.name}")
+
+
+def _finished(pipeline: Pipeline, title: str, directory: Path) -> Finished:
+    try:
+        with ProgressBar(title) as bar:
+            return run_pipeline(pipeline, [bar])
+    except KeyboardInterrupt:
+        with suppress(OSError):  # it holds an earlier run
+            directory.rmdir()
+        typer.echo("interrupted; a run is written at its end, so nothing is. 'compare' keeps finished runs.", err=True)
+        raise typer.Exit(130) from None
 
 
 def _print_summary(summary: dict[str, float]) -> None:
