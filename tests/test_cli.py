@@ -231,3 +231,8 @@ def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
     assert 130 == result.exit_code
     assert "interrupted; a run is written at its end, so nothing is." in result.stderr
     assert kept == sorted(path.name for path in tmp_path.rglob("*"))
+
+
+def test_it_says_its_version() -> None:
+    result = CliRunner().invoke(app, ["--version"])
+    assert (0, f"tutorstudent {metadata.version('tutorstudent')}\n") == (result.exit_code, result.stdout)

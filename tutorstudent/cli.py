@@ -7,6 +7,7 @@ import math
 import sys
 import traceback
 from contextlib import suppress
+from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
@@ -51,8 +52,19 @@ Setting = Annotated[
 ]
 
 
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"tutorstudent {metadata.version('tutorstudent')}")
+        raise typer.Exit
+
+
+Version = Annotated[
+    bool, typer.Option("--version", is_eager=True, callback=_print_version, help="print the version and exit")
+]
+
+
 @app.callback()
-def program(verbose: Verbose = False, trace: Trace = False) -> None:
+def program(verbose: Verbose = False, trace: Trace = False, version: Version = False) -> None:
     """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
     heed(verbose, trace)
 
