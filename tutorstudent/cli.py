@@ -64,7 +64,7 @@ Version = Annotated[
 
 
 @app.callback()
-def program(verbose: Verbose = False, trace: Trace = False, version: Version = False) -> None:
+def program(verbose: Verbose = False, trace: Trace = False, _version: Version = False) -> None:
     """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
     heed(verbose, trace)
 
