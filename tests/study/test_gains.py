@@ -17,7 +17,7 @@ from tutorstudent.study.scatter import DISC, RING, scatter
 from tutorstudent.study.traces import Measures, Trace, Traces
 
 SEEDS = (4, 5, 6)
-HARM = "collisions, per decision"
+HARM = "collided decisions"
 
 
 def trace(seed: int, found: float | None, harmed: float, decisions: int = 5_000) -> Trace:

@@ -147,12 +147,18 @@ class Deadly(dict):  # type: ignore[type-arg]
         return os._exit, (3,)
 
 
-def test_what_was_never_run_is_a_failure_too(files: dict[str, Path], registry: Registry, tmp_path: Path) -> None:
+def test_what_was_not_run_yet_waits_and_is_no_failure(
+    files: dict[str, Path], registry: Registry, tmp_path: Path
+) -> None:
     plan = plan_of(files["full"], registry, runs=1)
     run_job(plan.jobs()[0], tmp_path)
     study = read_study(tmp_path, plan)
-    assert (1, 5) == (len(study.runs), len(study.failures))
-    assert {"it was not run."} == {failure.problem for failure in study.failures}
+    assert (1, 0, 5) == (len(study.runs), len(study.failures), len(study.waiting))
+    (tmp_path / plan.jobs()[1].folder).mkdir(parents=True)
+    (tmp_path / plan.jobs()[1].folder / "error.txt").write_text("")
+    study = read_study(tmp_path, plan)
+    assert (1, 1, 4) == (len(study.runs), len(study.failures), len(study.waiting))
+    assert study.failures[0].problem.endswith("error.txt is empty; go on with 'compare --resume' to run it again.")
 
 
 def test_results_have_a_row_for_each_run_with_every_number(

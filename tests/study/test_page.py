@@ -125,7 +125,7 @@ def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
         section = section_of(text, environment.name)
         rows = section.partition("Every run as numbers")[2].count("<tr") - 1
         assert len([run for run in study.runs if run.environment == environment.name]) == rows
-        for title in ("turns", "collisions, per decision"):
+        for title in ("turns", "collided decisions"):
             drawing = re.search(rf'<svg[^>]*aria-label="{title}, every run.*?</svg>', section, re.DOTALL)
             assert drawing is not None
             dots = re.findall(r"<use [^>]*style=\"fill: var\(--v\d\)", drawing[0])
@@ -134,7 +134,7 @@ def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
 
 def test_every_variant_has_a_panel_for_each_measure(study: Study, outline: Outline) -> None:
     labels = [label for attributes in outline.all("svg") if (label := attributes.get("aria-label"))]
-    totals = ("turns", "collisions, per decision")
+    totals = ("turns", "collided decisions")
     for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "amplification level"):
         for variant in study.plan.variants():
             found = [label for label in labels if label.startswith(f"{title} over decisions, {variant.name}. ")]

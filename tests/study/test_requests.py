@@ -8,7 +8,8 @@ import pytest
 
 from tutorstudent.core.errors import PipelineError
 from tutorstudent.core.registry import Registry
-from tutorstudent.study.requests import read_pipelines, read_setting, read_variation, slug
+from tutorstudent.study.planning import make_plan
+from tutorstudent.study.requests import Request, read_pipelines, read_setting, read_variation, slug
 
 
 @pytest.mark.parametrize(
@@ -76,6 +77,21 @@ def test_two_files_of_one_name_are_refused(files: dict[str, Path], tmp_path: Pat
     other.write_text(files["full"].read_text())
     with pytest.raises(PipelineError, match=r"full.yaml and .*full.yml would both be named 'full'; rename one"):
         read_pipelines([files["full"], other], registry)
+
+
+def test_a_file_called_pipeline_is_named_after_its_folder(
+    files: dict[str, Path], tmp_path: Path, registry: Registry, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mine = tmp_path / "my tutor" / "pipeline.yaml"
+    mine.parent.mkdir()
+    mine.write_text(files["full"].read_text())
+    monkeypatch.chdir(mine.parent)
+    given = read_pipelines([Path("pipeline.yaml")], registry)
+    assert ["my-tutor"] == list(given)
+    plan = make_plan(Request(given, 1, controls=False), registry)
+    assert ["The pipeline my tutor/pipeline.yaml."] == [variant.about for variant in plan.variants()]
+    with pytest.raises(PipelineError, match=r"would both be named 'my-tutor'; rename one of the files"):
+        read_pipelines([mine, Path("pipeline.yml")], registry)
 
 
 def test_a_file_that_is_not_there_is_refused(tmp_path: Path, registry: Registry) -> None:

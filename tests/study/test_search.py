@@ -12,6 +12,7 @@ import pytest
 
 from tests.study.conftest import results
 from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.registry import Registry
 from tutorstudent.study import Plan, Search, Setting, read_study, run_plan
 from tutorstudent.study.levels import BEST, LEVELS, Level, Searched, best, save_searched, settled
 from tutorstudent.study.searching import find_levels
@@ -81,6 +82,34 @@ def test_where_nothing_is_counted_there_is_no_search(planned: Planned, files: di
     assert "distance_m" == search_of(planned(goal="distance_m")).goal
 
 
+def test_where_no_observer_counts_the_goal_is_what_the_world_says(
+    planned: Planned, files: dict[str, Path], monkeypatch: pytest.MonkeyPatch, registry: Registry
+) -> None:
+    monkeypatch.setattr(world_of(registry, "corridor"), "goal_event", "distance_m")
+    assert "turns" == search_of(planned()).goal
+    files["full"].write_text(files["full"].read_text().replace("[turns]", "[]"))
+    plan = planned()
+    assert "distance_m" == plan.goal == search_of(plan).goal
+    assert {"distance_m": ""} == plan.environments[0].counters()
+    assert "constant-4" not in [variant.name for variant in plan.variants()]
+
+
+def world_of(registry: Registry, name: str) -> Any:
+    return next(installed.cls for installed in registry.of("world") if installed.cls.name == name)
+
+
+@pytest.mark.parametrize("request_", [{}, {"search_runs": 0}, {"controls": False}])
+def test_a_goal_that_is_named_is_counted_first_with_a_search_and_without(
+    planned: Planned, request_: dict[str, Any]
+) -> None:
+    plan = planned("full", "alone", goal="distance_m", **request_)
+    assert "distance_m" == plan.goal
+    assert ["distance_m", "turns"] == list(plan.environments[0].counters())
+    assert {"distance_m": "", "turns": "Returning"} == plan.environments[0].counters()
+    with pytest.raises(PipelineError, match=r"--goal turn: no run counts it \(did you mean 'turns'"):
+        planned(goal="turn", **request_)
+
+
 def test_tutors_alone_need_no_search(planned: Planned) -> None:
     assert planned("alone").search is None
 
@@ -135,6 +164,18 @@ def test_the_limit_is_the_budget_or_the_tutors_own_rate(own: float | None, limit
     assert 0.01 == searched.limit("elsewhere")
 
 
+def test_levels_that_all_came_to_the_same_are_said_to(planned: Planned) -> None:
+    same = Searched("turns", 0.01, (7,), tuple(level(i, 2.0 if i else 5.0, 0.0, runs=1) for i in range(9)))
+    assert same.is_indifferent("short")
+    assert not same.is_indifferent("elsewhere")
+    assert not same._replace(levels=(*same.levels[:8], level(8, 3.0, 0.0))).is_indifferent("short")
+    chosen = same._replace(levels=tuple(item._replace(chosen=item.level == 1) for item in same.levels))
+    [control] = [item for item in settled(planned(), chosen).variants() if item.name == BEST]
+    assert (
+        "the one that violates least, or the lowest of those, since all came to the same mean 'turns'" in control.about
+    )
+
+
 # What it makes of a study
 
 
@@ -161,7 +202,7 @@ def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart
     plan = planned(variations=[Setting("world.scene", scene) for scene in ("short", "long")])
     levels = (
         *(Level("short", i, 1, float(i == 3), 0.0, chosen=i == 3) for i in range(9)),
-        *(Level("long", i, 1, 1.0, 0.5 - i / 100, chosen=i == 8) for i in range(9)),
+        *(Level("long", i, 1, float(i), 0.5 - i / 100, chosen=i == 8) for i in range(9)),
     )
     searched = Searched("turns", 0.001, (1_000_000,), levels)
     made = settled(plan, searched)
@@ -186,12 +227,11 @@ def test_a_level_that_breaks_the_budget_for_want_of_others_says_so(planned: Plan
     assert "it is the one that violates least, since none keeps to 0.10% of decisions, in runs" in control.about
 
 
-def test_a_search_that_has_not_ended_leaves_failures(planned: Planned, folder: Path) -> None:
+def test_a_search_that_has_not_ended_leaves_runs_that_wait(planned: Planned, folder: Path) -> None:
     study = read_study(folder, planned())
     assert study.search is None
-    problems = {failure.variant: failure.problem for failure in study.failures}
-    assert "the search for its level has not ended; go on with 'compare --resume'." == problems[BEST]
-    assert "it was not run." == problems["search: level-8"]
+    assert () == study.failures
+    assert {BEST, "search: level-8"} < {item.variant for item in study.waiting}
     assert BEST not in [variant.name for variant in study.plan.variants()]
 
 
@@ -201,9 +241,10 @@ def test_a_search_in_which_every_level_fails_leaves_the_others_alone(
     files["full"].write_text(files["full"].read_text().replace("short}", "short, fails_with_seed: 1000000}"))
     study = run_plan(planned(), folder)
     assert 2 * 5 == len(study.runs)
-    assert {BEST, "search: tutor-alone", *(f"search: level-{i}" for i in LEVELS)} == {
+    assert {"search: tutor-alone", *(f"search: level-{i}" for i in LEVELS)} == {
         failure.variant for failure in study.failures
     }
+    assert {BEST} == {item.variant for item in study.waiting}
 
 
 def test_a_goal_that_no_run_counted_is_told_after_the_search(planned: Planned, folder: Path) -> None:

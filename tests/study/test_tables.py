@@ -78,9 +78,9 @@ def test_what_was_found_is_mean_sd_median_and_iqm_with_the_paired_difference() -
 def test_what_it_cost_tells_the_worst_run_beside_the_mean() -> None:
     cost = titled(study(), "What it cost")
     # 4, 0 and 305: mean 103, sample sd sqrt((99^2 + 103^2 + 202^2) / 2) = 174.9...
-    assert "103 ± 175 (4; max 305)" == cell(cost, "2A", "collisions, per decision")
+    assert "103 ± 175 (4; max 305)" == cell(cost, "2A", "collided decisions")
     # 3, 0 and 3: mean 2, sample sd sqrt(3).
-    assert "2.0 ± 1.7 (3; max 3)" == cell(cost, "2A", "collisions, per contact")
+    assert "2.0 ± 1.7 (3; max 3)" == cell(cost, "2A", "contacts")
     assert "305" == cell(cost, "2A", "longest stall, decisions (max)")
     assert "+1.0 [+1.0, +1.0]" == cell(cost, "ramp", "difference")
 
@@ -116,7 +116,7 @@ def test_what_the_parts_did() -> None:
     parts = titled(whole, "What the parts did")
     assert "50 %" == cell(parts, "2A", "named the tutor's kind (mean)")
     assert "-" == cell(parts, "ramp", "named the tutor's kind (mean)")
-    assert "25 %" == cell(parts, "2A", "amplified (mean)")
+    assert "25 %" == cell(parts, "2A", "raised by the amplifier (mean)")
     assert "3.0" == cell(parts, "2A", "mean level")
     assert "3" == cell(parts, "2A", "incidents (sum)")
     assert "21.0" == cell(parts, "2A", "simulated time, s (mean)")
@@ -184,6 +184,29 @@ def test_a_variant_with_failed_runs_says_how_many() -> None:
     assert "3" == cell(titled(failed, "What was found"), "ramp", "runs")
 
 
+def test_runs_that_were_not_run_yet_are_not_said_to_have_failed() -> None:
+    waiting = tuple(Failure("cave", "2A", seed, "") for seed in (1, 2))
+    begun = study(missing=("2A", 1))._replace(waiting=waiting)
+    assert "2 (2 not run yet)" == cell(titled(begun, "What was found"), "2A", "runs")
+    both = begun._replace(failures=(Failure("cave", "2A", 0, "it broke"),))
+    assert "2 (1 failed, 2 not run yet)" == cell(titled(both, "What was found"), "2A", "runs")
+
+
+def test_a_number_that_the_world_counts_is_a_count_like_those_of_observers() -> None:
+    whole = study()
+    (environment,) = whole.plan.environments
+    variants = tuple(item._replace(counters={"distance_m": ""} | item.counters) for item in environment.variants)
+    asked = whole._replace(plan=whole.plan._replace(environments=(environment._replace(variants=variants),)))
+    assert ("runs", "distance_m", "difference", "attractors", "difference") == titled(asked, "What was found").header
+    assert "distance_m" == digest_table(asked, asked.plan.environments[0]).header[0]
+    compared = titled(asked, "Differences to the tutor alone: what was found")
+    assert ["distance_m", "distance_m", "attractors", "attractors", *["attractors per 100 m"] * 2] == sorted(
+        (row.cells[1] for row in compared.rows), key=["distance_m", "attractors", "attractors per 100 m"].index
+    )
+    assert "distance_m per 100 m" not in titled(asked, "By way and by time").header
+    assert "distance_m per 1,000 s" in titled(asked, "By way and by time").header
+
+
 def test_a_variant_of_which_nothing_ran_is_a_row_of_dashes() -> None:
     failures = tuple(Failure("cave", "2A", seed, "it broke") for seed in range(3))
     failed = study()._replace(failures=failures)
@@ -206,7 +229,7 @@ def test_what_no_run_knows_is_no_column() -> None:
     for run in whole.runs:
         del run.summary["collided"], run.summary["contacts"], run.summary["distance_m"]
     cost = titled(whole, "What it cost")
-    assert "collisions, per decision" not in cost.header
+    assert "collided decisions" not in cost.header
     assert "violated, as the learner saw it" in cost.header
     assert ("attractors per 1,000 s", "violated per 1,000 s") == titled(whole, "By way and by time").header[1:]
     assert "violated decisions per 10,000" in titled(whole, "Does it harm more than the tutor alone?").header

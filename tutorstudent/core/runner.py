@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.errors import ContractError, listing, suggestion
 from tutorstudent.core.observers import Begin, Observer
 from tutorstudent.core.world import World
 
@@ -63,9 +63,15 @@ def run(
 
 
 def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
-    """Refuse a world that does not execute the tutor's actions."""
+    """Refuse a world that does not execute the tutor's actions, or whose goal is none of its events."""
     if not issubclass(engine.tutor.action, world.action):
         raise ContractError(
             f"world '{world.name}' executes {world.action.__name__} but tutor '{engine.tutor.name}' "
             f"returns {engine.tutor.action.__name__}. Use a tutor and a world of one action class."
+        )
+    if world.goal_event and world.goal_event not in world.event_names:
+        near = suggestion(world.goal_event, world.event_names)
+        raise ContractError(
+            f"world '{world.name}': goal_event is '{world.goal_event}', which is none of its events{near}. "
+            f"Events: {listing(world.event_names)}. Name one of them, or leave goal_event empty."
         )

@@ -46,6 +46,8 @@ class World(Component, Generic[StateT, ActionT]):
     role: ClassVar[str] = "world"
     action: type[Action]
     """The class of actions that it executes."""
+    goal_event: ClassVar[str] = ""
+    """The event of which a run is to have most: what comparisons take for achievement where no observer counts any."""
 
     @property
     def event_names(self) -> Mapping[str, Summary]:

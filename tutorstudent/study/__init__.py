@@ -4,11 +4,13 @@
 |---|---|
 | what runs in which environments, with which controls | `requests`, `resolving`, `controls`, `planning` |
 | the plan, and its file | `plan`, `planfile`, `differences` |
+| what is to be achieved | `goals` |
 | the constant level that is best | `seeking`, `levels`, `searching` |
 | every run, in parallel, each into a folder of its own | `jobs`, `backends`, `durable`, `timing`, `progress` |
 | what is on disk | `results`, `sketches` |
 | numbers of one row, and of two | `measures`, `statistics`; `pairs`, `intervals`, `significance` |
 | what is held against what | `comparisons`, `verdicts` |
+| what has to be said first | `remarks` |
 | tables | `cells`, `columns`, `table`, `tables`, `difference_tables` |
 | what pictures are made from | `curves`, `bins`, `traces`, `gains`, `palette`, `scales` |
 | pictures | `svg`, `charts`, `panels`, `strips`, `scatter`, `labels`, `maps`, `harms`; `screen`, `shots`, `film` |

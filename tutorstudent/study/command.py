@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import Path
 from typing import Annotated, NamedTuple
 
@@ -18,6 +17,7 @@ from tutorstudent.study.media import terminal
 from tutorstudent.study.plan import Plan
 from tutorstudent.study.planfile import load_plan
 from tutorstudent.study.planning import make_plan
+from tutorstudent.study.remarks import goal_line, remarks, resume_command
 from tutorstudent.study.requests import Request, read_pipelines, read_setting, read_variation
 from tutorstudent.study.results import Study
 from tutorstudent.study.studies import check_folder, run_study
@@ -65,16 +65,12 @@ def compare(
     try:
         study = run_study(plan, out, workers, workforce)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; go on with: {_resume(out)}", err=True)
+        typer.echo(f"interrupted; go on with: {resume_command(out)}", err=True)
         raise typer.Exit(INTERRUPTED) from None
     show(study)
     if study.failures:
-        typer.echo(f"What failed is run again by: {_resume(out)}", err=True)
+        typer.echo(f"What failed is run again by: {resume_command(out)}", err=True)
         raise typer.Exit(1)
-
-
-def _resume(out: Path) -> str:
-    return f"tutorstudent compare --resume --out {shlex.quote(str(out))}"
 
 
 class Wish(NamedTuple):
@@ -122,9 +118,8 @@ def show(study: Study) -> None:
     for environment in study.plan.environments:
         console.rule(environment.name, align="left")
         console.print(terminal(digest_table(study, environment)), "\n")
-    if not any(environment.counters() for environment in study.plan.environments):
-        hint = "Nothing counts what the tutors achieve; name an observer, as in --set 'observers=[attractors]'."
-        console.print(hint, markup=False, highlight=False)
+    for text in filter(None, [goal_line(study), *remarks(study)]):
+        console.print(text, markup=False, highlight=False, soft_wrap=True)
     console.print(LEGEND, highlight=False)
     console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. Controls are in italics.", highlight=False)
     console.print(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from tutorstudent.study.measures import Measure, harm, per_way
+from tutorstudent.study.measures import WAY, Measure, harm, per_way
 from tutorstudent.study.pairs import Difference, Improvement, paired
 from tutorstudent.study.plan import Environment, Variant
 from tutorstudent.study.results import Run, Study
@@ -67,7 +67,7 @@ def compared(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Me
     measures = {
         "what was found": [
             *(Measure(name, name, better=1) for name in counters),
-            *(per_way(name, name, better=1) for name in counters),
+            *(per_way(name, name, better=1) for name in counters if name != WAY),
         ],
         "what it cost": [cost, per_way(cost.title, cost.key, better=-1)],
     }

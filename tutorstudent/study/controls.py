@@ -10,6 +10,8 @@ from tutorstudent.study.resolving import Resolved
 
 UNSEARCHED = 4
 """The constant level where none is searched for: half of the thesis's highest. Choice: see docs/fidelity.md."""
+CONSTANT = f"constant-{UNSEARCHED}"
+"""The name of that control."""
 
 
 class Control(NamedTuple):
@@ -43,7 +45,7 @@ def controls_of(resolved: Resolved) -> Iterator[Control]:
 def unsearched(resolved: Resolved) -> Control:
     """Return the control of a constant level where none is searched for."""
     about = f"No learning: level {UNSEARCHED} in every decision; no other level was tried."
-    return _constant(resolved, f"constant-{UNSEARCHED}", about, UNSEARCHED)
+    return _constant(resolved, CONSTANT, about, UNSEARCHED)
 
 
 def candidates_of(resolved: Resolved) -> Iterator[Control]:

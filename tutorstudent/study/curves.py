@@ -33,6 +33,23 @@ def event(arrays: Arrays, name: str) -> Curve | None:
     return np.asarray(arrays["events"][:, found[0]], dtype=np.float64) if len(found) else None
 
 
+def counted(arrays: Arrays, name: str, situation: str) -> Curve | None:
+    """Return how much of something was counted in each decision, shape (decisions,).
+
+    Args:
+        arrays: Of a run.
+        name: Of the count.
+        situation: Whose entries are counted; empty for the world's event of that name.
+
+    Returns:
+        None if the world has no such event, or one that is less than nothing at times: its total would not only grow.
+    """
+    if situation:
+        return entered(arrays, situation).astype(np.float64)
+    values = event(arrays, name)
+    return values if values is not None and np.all(values >= 0) else None
+
+
 def places(arrays: Arrays) -> NDArray[np.float64] | None:
     """Return where the learner was after each decision, shape (decisions, 2), metres; None if that is not known."""
     x, y = event(arrays, "x_m"), event(arrays, "y_m")
@@ -56,9 +73,9 @@ def matched(arrays: Arrays) -> NDArray[np.bool_] | None:
     return np.asarray(proposed == arrays["kind"], dtype=bool) if np.any(proposed != NO_LEVEL) else None
 
 
-def total(happened: NDArray[np.bool_]) -> Curve:
-    """Return how often something had happened after each decision, shape (decisions,)."""
-    return np.cumsum(happened).astype(np.float64)
+def total(happened: NDArray[np.bool_] | Curve) -> Curve:
+    """Return how often something had happened, or how much of it, after each decision, shape (decisions,)."""
+    return np.cumsum(happened, dtype=np.float64)
 
 
 def thinned(length: int, points: int = 160) -> NDArray[Any]:

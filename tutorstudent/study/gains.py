@@ -44,6 +44,11 @@ class Gains(NamedTuple):
     rows: dict[str, Row]
     """By variant, in the order of the tables. Runs to which no run of the tutor alone belongs are missing."""
 
+    @property
+    def has_percent(self) -> bool:
+        """Whether gains can be told in percent of what the tutor alone achieves: that is more than nothing."""
+        return self.reference_mean > 0
+
 
 def gains(environment: Environment, traces: Traces) -> Gains | None:
     """Return what the runs gained; None where they have no goal or the tutor alone does not run."""

@@ -8,6 +8,7 @@ from html import escape
 
 from tutorstudent.study.palette import Palette
 from tutorstudent.study.plan import Variant
+from tutorstudent.study.remarks import goal_line, remarks
 from tutorstudent.study.results import Failure, Study
 from tutorstudent.study.tables import CONTROLS, INTERVALS
 
@@ -24,9 +25,10 @@ def head_html(study: Study, title: str, palette: Palette) -> str:
     references = {item.reference for item in plan.environments}
     variants = "".join(_variant(variant, references, palette) for variant in plan.variants())
     claim = CONTROLS if any(variant.control for variant in plan.variants()) else NO_CONTROLS
+    lead = f"{_size(study)}{_spent(study)} {goal_line(study)}"
     return (
-        f'<h1>{escape(title)}</h1>\n<p class="lead">{escape(_size(study))}{escape(_spent(study))}</p>\n'
-        f'<p class="claim">{escape(claim)}</p>\n{_failures(study.failures)}'
+        f'<h1>{escape(title)}</h1>\n<p class="lead">{escape(lead)}</p>\n'
+        f'<p class="claim">{escape(claim)}</p>\n{_remarks(study)}{_failures(study.failures)}'
         f'<ul class="variants">{variants}</ul>\n<p class="note">{escape(INTERVALS)}</p>\n<nav>{links}</nav>'
     )
 
@@ -60,6 +62,11 @@ def _variant(variant: Variant, references: set[str], palette: Palette) -> str:
     name = f"<em>{escape(variant.name)}</em>" if variant.control else f"<strong>{escape(variant.name)}</strong>"
     alone = " The tutor alone, to which differences are taken." if variant.name in references else ""
     return f"<li>{swatch}{name}: {escape(variant.about)}{alone}</li>"
+
+
+def _remarks(study: Study) -> str:
+    lines = "".join(f"<p>{escape(text)}</p>" for text in remarks(study))
+    return f'<div class="remark">{lines}</div>\n' if lines else ""
 
 
 def _failures(failures: Iterable[Failure]) -> str:

@@ -52,6 +52,11 @@ class Searched(NamedTuple):
         own = [item.violated or 0.0 for item in self.levels if (item.environment, item.level) == (environment, 0)]
         return max([self.harm_budget, *own])
 
+    def is_indifferent(self, environment: str) -> bool:
+        """Return whether all levels of an environment came to the same, so that none is better than another."""
+        tried = [item.goal for item in self.levels if item.environment == environment and item.level and item.runs]
+        return len(tried) > 1 and len(set(tried)) == 1
+
     def complete(self) -> bool:
         """Return whether every run of the search has results."""
         return all(item.runs == len(self.seeds) for item in self.levels)
@@ -132,11 +137,15 @@ def _with_best(place: Environment, tried: Environment, searched: Searched) -> En
 def _reason(found: Level, searched: Searched) -> str:
     limit = searched.limit(found.environment)
     seeds = ", ".join(map(str, searched.seeds))
-    kept = (
-        f"the one with the highest mean '{searched.goal}' among those with at most {limit:.2%} of decisions violated"
-        if _violated(found) <= limit
-        else f"the one that violates least, since none keeps to {limit:.2%} of decisions"
-    )
+    if _violated(found) > limit:
+        kept = f"the one that violates least, since none keeps to {limit:.2%} of decisions"
+    elif searched.is_indifferent(found.environment):
+        kept = f"the one that violates least, or the lowest of those, since all came to the same mean '{searched.goal}'"
+    else:
+        kept = (
+            f"the one with the highest mean '{searched.goal}' among those with at most {limit:.2%} of decisions "
+            "violated"
+        )
     return (
         f"Of levels {LEVELS[0]} to {LEVELS[-1]} it is {kept}, in runs of their own "
         f"(seed{'s' if len(searched.seeds) > 1 else ''} {seeds})."

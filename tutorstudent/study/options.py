@@ -21,7 +21,7 @@ Resume = Annotated[
 Vary = Annotated[str | None, typer.Option(help="One environment for each value: world.scene=chase-avoid,cave-box.")]
 Settings = Annotated[list[str] | None, typer.Option("--set", help="Set key=value in every pipeline; may be repeated.")]
 Controls = Annotated[bool, typer.Option("--controls/--no-controls", help="Run the controls beside them.")]
-Goal = Annotated[str, typer.Option(help="What the best constant level has most of; else what is counted first.")]
+Goal = Annotated[str, typer.Option(help="What a run is to have most of; else what observers or the world count.")]
 HarmBudget = Annotated[
     float, typer.Option(min=0, max=1, help="Share of decisions that the best constant level may violate.")
 ]

@@ -56,9 +56,10 @@ def _filled(galleries: Iterable[Gallery]) -> list[Gallery]:
 def _gain_gallery(environment: Environment, traces: Traces, palette: Palette) -> Gallery:
     found = gains(environment, traces)
     controls = [variant.name for variant in environment.variants if variant.control]
+    on_the_right = f" On the right, percent of the mean of {escape(environment.reference)}."
     note = (
         "A dot is a run; a large mark is the mean of a variant, a hollow ring that of a control, with a standard "
-        f"deviation to each side. On the right, percent of the mean of {escape(environment.reference)}. Dashed: "
+        f"deviation to each side.{on_the_right if found and found.has_percent else ''} Dashed: "
         "0.1\N{NO-BREAK SPACE}% of the decisions, a bound to hold results against."
     )
     title = "What was gained, and what it cost"
@@ -71,5 +72,8 @@ def _strip_gallery(traces: Traces, palette: Palette) -> Gallery:
         title: {name: [float(curve[-1]) for curve in found] for name, found in traces.totals(title).items()}
         for title in titles
     }
+    goals = traces.goals()
+    if traces.measures.goal not in ends and any(goals.values()):
+        ends = {traces.measures.goal: goals} | ends
     drawn = [strip(title, values, palette) for title, values in ends.items()]
     return Gallery("Every run", "A dot is a run, a bar the median.", "pair", drawn)

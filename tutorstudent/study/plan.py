@@ -16,7 +16,8 @@ class Variant(NamedTuple):
     pipeline: dict[str, Any]
     """Every value written out; can be read as a pipeline again."""
     counters: dict[str, str]
-    """What its observers count, such as ``attractors``, and the situation whose entries that is."""
+    """What is counted, such as ``attractors``, the goal first, and the situation whose entries that is; empty for any
+    other number of a run's summary, such as the world's event ``encounters``."""
 
 
 class Environment(NamedTuple):
@@ -57,6 +58,12 @@ class Plan(NamedTuple):
     search: Search | None = None
     """What is run first, where a control's level has to be looked for."""
 
+    @property
+    def goal(self) -> str:
+        """Of a run's summary, what it is to have most of; empty where nothing counts that."""
+        counters = [key for environment in self.environments for key in environment.counters()]
+        return self.search.goal if self.search else next(iter(counters), "")
+
     def jobs(self) -> list[Job]:
         """Return all runs but those of the search, seed by seed, so that what an interrupted study leaves is paired."""
         return [
@@ -82,7 +89,7 @@ class Search(NamedTuple):
     """The search for the level of the control ``best-constant``: the tutor alone and constant levels."""
 
     goal: str
-    """Of a run's summary; the level with the highest mean is the best; empty: what is counted first."""
+    """Of a run's summary; the level with the highest mean is the best."""
     harm_budget: float
     """Share of decisions that may be violated, 0 to 1."""
     plan: Plan

@@ -9,9 +9,10 @@ from tutorstudent.core.errors import PipelineError, listing
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.registry import Registry
 from tutorstudent.study.controls import controls_of, unsearched
+from tutorstudent.study.goals import goal_of, with_goal
 from tutorstudent.study.levels import BEST
 from tutorstudent.study.plan import Environment, Plan, Search, Variant
-from tutorstudent.study.requests import Request, Setting, slug
+from tutorstudent.study.requests import ANY, Request, Setting, slug
 from tutorstudent.study.resolving import Resolved, completed, is_tutor_alone, learner_of, resolve, same
 from tutorstudent.study.seeking import plan_search
 
@@ -26,6 +27,7 @@ def make_plan(request: Request, registry: Registry) -> Plan:
     seeds = tuple(range(request.first_seed, request.first_seed + request.runs))
     variations: Sequence[Setting | None] = request.variations or (None,)
     places = dict(_place(request, variation) for variation in variations)
+    request = request._replace(goal=goal_of(request.goal, places.values(), registry))
     search = plan_search(request, places, registry, decisions)
     environments = [_environment(request, name, resolved, registry, search) for name, resolved in places.items()]
     return Plan(tuple(environments), seeds, decisions, search)
@@ -68,7 +70,9 @@ def _environment(
     ]
     learner = learner_of(resolved) if request.controls else None
     variants = [*given, *(_controls(learner, resolved, registry, search) if learner else [])]
-    return Environment(name, tuple(variants), _reference(variants))
+    known = {key: situation for found in resolved.values() for key, situation in found.counters.items()}
+    counted = [item._replace(counters=with_goal(request.goal, item.counters, known)) for item in variants]
+    return Environment(name, tuple(counted), _reference(counted))
 
 
 def _controls(
@@ -99,7 +103,8 @@ def _reference(variants: Sequence[Variant]) -> str:
 
 
 def _file(pipeline: Pipeline) -> str:
-    return Path(pipeline.document.name).name
+    path = Path(pipeline.document.name)
+    return f"{path.resolve().parent.name}/{path.name}" if path.stem == ANY else path.name
 
 
 def _world_name(resolved: Resolved) -> str:

@@ -10,6 +10,7 @@ from tutorstudent.study.latex import document
 from tutorstudent.study.media import markdown
 from tutorstudent.study.page import page
 from tutorstudent.study.planfile import load_plan
+from tutorstudent.study.remarks import goal_line, remarks
 from tutorstudent.study.results import Study, read_study, write_csv
 from tutorstudent.study.table import Table
 from tutorstudent.study.tables import CONTROLS, INTERVALS, tables
@@ -34,14 +35,15 @@ def write_report(folder: Path) -> Study:
     write_csv(folder / CSV, study.runs)
     write_differences(folder / DIFFERENCES, families(study))
     made = {environment.name: tables(study, environment) for environment in study.plan.environments}
-    (folder / MARKDOWN).write_text(_markdown(made), encoding="utf-8")
+    (folder / MARKDOWN).write_text(_markdown(study, made), encoding="utf-8")
     (folder / LATEX).write_text(document(made.items()), encoding="utf-8")
     (folder / PAGE).write_text(page(study), encoding="utf-8")
     return study
 
 
-def _markdown(made: Mapping[str, Iterable[Table]]) -> str:
-    parts = [CONTROLS, INTERVALS]
+def _markdown(study: Study, made: Mapping[str, Iterable[Table]]) -> str:
+    said = [goal_line(study), *(f"> {text}" for text in remarks(study))]
+    parts = [*filter(None, said), CONTROLS, INTERVALS]
     for title, found in made.items():
         parts += [f"## {title}", *map(markdown, found)]
     return "\n\n".join(parts)

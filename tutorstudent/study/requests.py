@@ -13,6 +13,9 @@ from tutorstudent.core.registry import Registry
 from tutorstudent.core.settings import key_and_text, read_key_value
 from tutorstudent.core.yamlfile import parse_yaml
 
+ANY = "pipeline"
+"""The name of a file that is named after its folder."""
+
 
 class Setting(NamedTuple):
     """One value for a dotted key of a pipeline, as in ``world.scene=cave-box``."""
@@ -46,8 +49,8 @@ class Request(NamedTuple):
     """One environment for each; none: the world of the files."""
     controls: bool = True
     goal: str = ""
-    """Of a run's summary, such as ``attractors``: what the best constant level has most of; empty: what the learner's
-    observers count first."""
+    """Of a run's summary, such as ``attractors``: what a run is to have most of; empty: what the learner's observers
+    count first, else what its world says."""
     harm_budget: float = 0.001
     """Share of decisions that the best constant level may violate, 0 to 1."""
     search_runs: int = 2
@@ -87,7 +90,7 @@ def read_variation(option: str, text: str) -> list[Setting]:
 
 
 def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipeline]:
-    """Read the pipelines by name: each is named after its file.
+    """Read the pipelines by name: each is named after its file, or after the folder of a file ``pipeline.yaml``.
 
     Raises:
         PipelineError: if there is none, one cannot be read, or two have one name.
@@ -96,10 +99,15 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
         raise PipelineError("compare: there is no pipeline; give at least one YAML file.")
     found: dict[str, tuple[Path, Pipeline]] = {}
     for path in paths:
-        name = slug(path.stem)
+        name = _name(path)
         if name in found:
             raise PipelineError(
                 f"compare: {found[name][0]} and {path} would both be named '{name}'; rename one of the files."
             )
         found[name] = path, Pipeline.read(path, registry)
     return {name: pipeline for name, (_, pipeline) in found.items()}
+
+
+def _name(path: Path) -> str:
+    """Return what a file is about; every package and every run has a ``pipeline.yaml``, so that says nothing."""
+    return slug(path.resolve().parent.name if path.stem == ANY else path.stem)

@@ -32,6 +32,8 @@ class Resolved(NamedTuple):
     """What the student looks at, where it has an encoder."""
     counters: dict[str, str]
     """What its observers count, such as ``attractors``, and the situation whose entries that is."""
+    goal_event: str = ""
+    """What its world counts for achievement; empty where it does not say."""
 
 
 def resolve(pipeline: Pipeline) -> Resolved:
@@ -48,6 +50,7 @@ def resolve(pipeline: Pipeline) -> Resolved:
             plain(engine.amplifier.change.describe(), "amplifier.change"),
             plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
+            world.goal_event,
         )
 
 

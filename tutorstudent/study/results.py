@@ -43,12 +43,13 @@ class Run(NamedTuple):
 
 
 class Failure(NamedTuple):
-    """One run that is not."""
+    """One run that is not: it failed, its files are damaged, or it was not run yet."""
 
     environment: str
     variant: str
     seed: int
     problem: str
+    """Why; empty where it was not run yet."""
 
 
 class Study(NamedTuple):
@@ -58,8 +59,11 @@ class Study(NamedTuple):
     plan: Plan
     runs: tuple[Run, ...]
     failures: tuple[Failure, ...]
+    """Runs that failed, or are damaged."""
     search: Searched | None = None
     """The table of constant levels that were tried, where one was searched for."""
+    waiting: tuple[Failure, ...] = ()
+    """Runs that were not run yet, as where a study was interrupted."""
 
     def spent(self) -> Spent:
         """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
@@ -76,7 +80,7 @@ class Study(NamedTuple):
 
 
 def read_study(folder: Path, plan: Plan) -> Study:
-    """Read the runs of a plan; those that failed or never ran are failures, none is left out.
+    """Read the runs of a plan; those that failed and those that wait to be run stand apart, none is left out.
 
     Returns:
         The study, with the control of the level that was searched for in its plan.
@@ -86,9 +90,11 @@ def read_study(folder: Path, plan: Plan) -> Study:
     """
     searched = load_searched(folder) if plan.search else None
     complete = settled(plan, searched)
-    runs, failures = read_runs(folder, complete.jobs())
-    failures += _of_the_search(folder, plan, searched)
-    return Study(folder, complete, tuple(runs), tuple(failures), searched)
+    runs, lacking = read_runs(folder, complete.jobs())
+    lacking += _of_the_search(folder, plan, searched)
+    failures = tuple(item for item in lacking if item.problem)
+    waiting = tuple(item for item in lacking if not item.problem)
+    return Study(folder, complete, tuple(runs), failures, searched, waiting)
 
 
 def read_runs(folder: Path, jobs: Iterable[Job]) -> tuple[list[Run], list[Failure]]:
@@ -143,17 +149,18 @@ def _check_decisions(path: Path) -> None:
 
 def _problem(place: Path) -> str:
     error = place / ERROR
-    return error.read_text(encoding="utf-8").partition("\n")[0] if error.exists() else "it was not run."
+    if not error.exists():
+        return ""
+    return error.read_text(encoding="utf-8").partition("\n")[0] or f"{error} is empty; {AGAIN}"
 
 
 def _of_the_search(folder: Path, plan: Plan, searched: Searched | None) -> list[Failure]:
-    """Return what went wrong in a search, and the runs that could not be made for want of a level."""
+    """Return what is not complete of a search, and the runs that wait for its level."""
     if plan.search is None or (searched and searched.complete()):
         return []
     _, failures = read_runs(folder / SEARCH, plan.search.plan.jobs())
     lacking = [place.name for place in plan.environments if searched is None or searched.chosen(place.name) is None]
-    problem = "the search for its level has not ended; go on with 'compare --resume'."
     return [
         *(failure._replace(variant=f"search: {failure.variant}") for failure in failures),
-        *(Failure(environment, BEST, seed, problem) for environment in lacking for seed in plan.seeds),
+        *(Failure(environment, BEST, seed, "") for environment in lacking for seed in plan.seeds),
     ]

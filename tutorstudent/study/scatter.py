@@ -43,7 +43,7 @@ def _across(axes: Axes, gains: Gains) -> None:
     axes.minorticks_off()
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
     axes.set_xlim(-0.6, top * 1.6)
-    axes.set_xlabel(f"{gains.harm} decisions in {PER:,} ({LONG_LABEL})")
+    axes.set_xlabel(f"{gains.harm} decisions in {PER:,} ({LONG_LABEL})", loc="left")  # a narrow screen shows the left
     axes.axvline(BUDGET, color=INK, linewidth=1.0, linestyle=DASHED)
     axes.annotate(
         "0.1\N{NO-BREAK SPACE}%", (BUDGET, 1), (3, -9), xycoords=("data", "axes fraction"), textcoords="offset points"
@@ -52,14 +52,14 @@ def _across(axes: Axes, gains: Gains) -> None:
 
 def _upward(axes: Axes, gains: Gains) -> None:
     every = [0.0, *(run.gain for row in gains.rows.values() for run in row.runs)]
-    room = 0.07 * max(max(every) - min(every), 1.0)
+    room = 0.07 * (max(every) - min(every)) or 1.0
     axes.set_ylim(min(every) - room, max(every) + room)
     axes.locator_params(axis="y", nbins=7, integer=True)
     axes.yaxis.set_major_formatter(lambda value, _: _signed(value))
     axes.set_title(f"{gains.goal}, more than {gains.reference} with the same seed", color=INK)
     axes.grid(axis="y", linewidth=0.5)
     axes.axhline(0.0, color=INK, linewidth=0.8)
-    if gains.reference_mean > 0:
+    if gains.has_percent:
         _add_percent(axes, gains.reference_mean / 100)
 
 
@@ -79,7 +79,7 @@ def _add_percent(axes: Axes, unit: float) -> None:
 
 
 def _signed(value: float) -> str:
-    return f"{value:+.0f}".replace("-", "\N{MINUS SIGN}") if value else "0"
+    return f"{value:+,.6g}".replace("-", "\N{MINUS SIGN}") if abs(value) > 1e-9 else "0"
 
 
 def _draw_runs(axes: Axes, row: Row, colour: str) -> None:

@@ -21,6 +21,8 @@ def search_table(searched: Searched, environment: str) -> Table:
         f"highest mean among the levels with at most {searched.limit(environment):.2%} of decisions violated; where "
         "none keeps to that, the level that violates least."
     )
+    if searched.is_indifferent(environment):
+        note += f" All levels came to the same {searched.goal}: the choice says nothing about it."
     return Table(TITLE, ("runs", searched.goal, "violated", ""), rows, note)
 
 

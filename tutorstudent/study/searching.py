@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from statistics import fmean
 
-from tutorstudent.core.errors import PipelineError, listing, suggestion
+from tutorstudent.study.goals import unknown_goal
 from tutorstudent.study.levels import (
     BEST,
     FOLDER,
@@ -68,6 +68,4 @@ def _level(environment: str, level: int, runs: Sequence[Run], goal: str) -> Leve
 def _check_goal(goal: str, runs: Sequence[Run]) -> None:
     known = {key for run in runs for key in run.summary}
     if known and goal not in known:
-        raise PipelineError(
-            f"--goal {goal}: no run counts it{suggestion(goal, known)}. What is counted: {listing(known)}."
-        )
+        raise unknown_goal(goal, known)

@@ -14,7 +14,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from tutorstudent.core.recording import Arrays
 from tutorstudent.core.world import Sketch
-from tutorstudent.study.curves import Curve, entered, event, harmed, places, total
+from tutorstudent.study.curves import Curve, counted, event, harmed, places, total
 from tutorstudent.study.maps import HIGHEST_LEVEL, level_scale
 from tutorstudent.study.palette import HARM, MAP_COLOURS
 from tutorstudent.study.screen import FINER, MARGIN_PX, View, stage, view
@@ -46,7 +46,8 @@ def shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str) -> 
     if where is None:
         return None
     scale, levels = level_scale(), np.minimum(arrays["resulting_level"], HIGHEST_LEVEL)
-    counts = {name: total(entered(arrays, situation)) for name, situation in counters.items()}
+    found = {name: counted(arrays, name, situation) for name, situation in counters.items()}
+    counts = {name: total(values) for name, values in found.items() if values is not None}
     hurt = harmed(arrays)
     return Shot(
         title,

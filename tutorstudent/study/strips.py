@@ -12,7 +12,7 @@ from tutorstudent.study.palette import Palette
 from tutorstudent.study.scales import LINEAR_UP_TO, LONG_LABEL, is_long_tailed, long_ticks
 from tutorstudent.study.svg import STYLE, sheet, svg
 
-WIDTH_PX, ROW_PX, MARGIN_PX, LETTER_PX = 420, 26, 56, 5.6
+WIDTH_PX, ROW_PX, MARGIN_PX, LETTER_PX = 330, 24, 56, 4.9
 
 
 def strip(title: str, values: Mapping[str, Sequence[float]], palette: Palette) -> str:

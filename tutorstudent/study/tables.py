@@ -83,8 +83,11 @@ def _row(study: Study, environment: Environment, variant: Variant, columns: Sequ
 
 
 def _runs(study: Study, environment: Environment, variant: str) -> str:
-    failed = sum((item.environment, item.variant) == (environment.name, variant) for item in study.failures)
-    return f"{len(study.of(environment.name, variant))}" + (f" ({failed} failed)" if failed else "")
+    place = (environment.name, variant)
+    told = {"failed": study.failures, "not run yet": study.waiting}
+    counts = {word: sum(item[:2] == place for item in found) for word, found in told.items()}
+    lacking = ", ".join(f"{number} {word}" for word, number in counts.items() if number)
+    return f"{len(study.of(*place))}" + (f" ({lacking})" if lacking else "")
 
 
 def _cell(runs: Sequence[Run], column: Column) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isclose
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.recording import Arrays
 from tutorstudent.study.bins import DECISIONS, binned
-from tutorstudent.study.curves import Curve, entered, event, harmed, level, matched, places, thinned, total
+from tutorstudent.study.curves import Curve, counted, event, harmed, level, matched, places, thinned, total
 from tutorstudent.study.plan import Environment
 from tutorstudent.study.results import Run, Study
 
@@ -22,15 +23,15 @@ class Measures(NamedTuple):
     """What is counted in one environment."""
 
     counters: dict[str, str]
-    """What the tutors achieve, and the situation whose entries that is."""
+    """What adds up decision by decision, and the situation whose entries that is; empty for an event of the world's."""
     harm: str
     """``collided`` or, where the world knows no collisions, ``violated``."""
     goal: str = ""
-    """What is gained, of a run's summary; the first counter where no search had a goal, empty for none."""
+    """What is gained, of a run's summary; empty for nothing."""
 
     def harm_total(self) -> str:
         """Return the title of the harm of a whole run, as in the tables."""
-        return "collisions, per decision" if self.harm == "collided" else "violated decisions"
+        return f"{self.harm} decisions"
 
     def harm_rate(self) -> str:
         """Return the title of the harm over the decisions."""
@@ -67,12 +68,21 @@ class Traces(NamedTuple):
     firsts: dict[str, Arrays]
     """By variant: every decision of the run with the study's first seed."""
 
+    def goals(self) -> dict[str, list[float]]:
+        """Return what every run came to that has a goal."""
+        return {
+            name: [trace.goal for trace in found if trace.goal is not None] for name, found in self.by_variant.items()
+        }
+
     def totals(self, title: str) -> dict[str, list[Curve]]:
-        """Return one measure of every run."""
-        return {name: [trace.totals[title] for trace in found] for name, found in self.by_variant.items()}
+        """Return one measure of every run that has it, summed up."""
+        return {
+            name: [trace.totals[title] for trace in found if title in trace.totals]
+            for name, found in self.by_variant.items()
+        }
 
     def rates(self, title: str) -> dict[str, list[Curve]]:
-        """Return one measure of every run that has it."""
+        """Return one measure of every run that has it, as a rate."""
         return {
             name: [trace.rates[title] for trace in found if title in trace.rates]
             for name, found in self.by_variant.items()
@@ -82,9 +92,9 @@ class Traces(NamedTuple):
 def read_traces(study: Study, environment: Environment) -> Traces:
     """Read every run of an environment."""
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    counters, search = environment.counters(), study.plan.search
-    goal = search.goal if search else next(iter(counters), "")
-    measures = Measures(counters, _harm([run for found in runs.values() for run in found]), goal)
+    every = [run for found in runs.values() for run in found]
+    counters = {name: into for name, into in environment.counters().items() if into or _adds_up(name, every)}
+    measures = Measures(counters, _harm(every), study.plan.goal)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
@@ -101,16 +111,24 @@ def _harm(runs: Sequence[Run]) -> str:
     return "collided" if any("collided" in run.summary for run in runs) else "violated"
 
 
+def _adds_up(name: str, runs: Sequence[Run]) -> bool:
+    """Return whether a number of the summaries is the sum of an event, and not its last, largest or mean value."""
+    totals = ((run.summary[name], counted(run.arrays(), name, "")) for run in runs if name in run.summary)
+    summed, values = next(totals, (0.0, None))
+    return values is not None and isclose(summed, float(values.sum()), rel_tol=1e-6)
+
+
 def _rate(name: str) -> str:
     return f"{name} per {DECISIONS:,} decisions"
 
 
 def _trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
     harm = harmed(arrays)
-    happened = {name: entered(arrays, situation) for name, situation in measures.counters.items()}
+    found = {name: counted(arrays, name, situation) for name, situation in measures.counters.items()}
+    happened = {name: values for name, values in found.items() if values is not None}
     at = thinned(len(harm))
     totals = {name: total(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
-    rates = {_rate(name): DECISIONS * binned(which.astype(float)) for name, which in happened.items()}
+    rates = {_rate(name): DECISIONS * binned(values) for name, values in happened.items()}
     rates |= {measures.harm_rate(): DECISIONS * binned(harm.astype(float)), LEVEL: binned(level(arrays))}
     match = matched(arrays)
     if match is not None:

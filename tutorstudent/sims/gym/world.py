@@ -25,6 +25,7 @@ class GymnasiumWorld(World[GymState, Action]):
 
     name: ClassVar[str] = "gymnasium"
     action: type[Action] = Action
+    goal_event: ClassVar[str] = "reward"
 
     class Options(component.Options):
         """Which environment."""

@@ -29,6 +29,7 @@ class PioneerWorld(World[PioneerState, DriveAction]):
 
     name: ClassVar[str] = "pioneer"
     action: type[Action] = DriveAction
+    goal_event: ClassVar[str] = "encounters"
     Options = PioneerOptions
     options: PioneerOptions
 

@@ -1,0 +1,100 @@
+"""What has to be said of a study before anybody reads its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from tests.study.made import made
+from tutorstudent.study.controls import CONSTANT
+from tutorstudent.study.head import head_html
+from tutorstudent.study.levels import Level, Searched
+from tutorstudent.study.palette import Palette
+from tutorstudent.study.remarks import OWN_OBSERVER, goal_line, remarks
+from tutorstudent.study.results import Failure, Study
+
+
+def counting(*attractors: float) -> Study:
+    return made({"alone": {"attractors": list(attractors)}, "2A": {"attractors": list(attractors)}})
+
+
+def uncounted(study: Study) -> Study:
+    (environment,) = study.plan.environments
+    variants = tuple(variant._replace(counters={}) for variant in environment.variants)
+    return study._replace(plan=study.plan._replace(environments=(environment._replace(variants=variants),)))
+
+
+def searched(goals: Sequence[float]) -> Searched:
+    levels = [Level("cave", i, 1, goal, 0.0, chosen=i == 1) for i, goal in enumerate(goals)]
+    return Searched("attractors", 0.001, (9,), tuple(levels))
+
+
+def test_there_is_nothing_to_say_of_a_study_where_all_is_well() -> None:
+    study = counting(3.0, 4.0)._replace(search=searched([1.0, 2.0, 3.0]))
+    assert [] == remarks(study)
+    assert "The goal, of which more is better: attractors (--goal names another)." == goal_line(study)
+    assert 'class="remark"' not in head_html(study, "x", Palette(study.plan.variants()))
+
+
+@pytest.mark.parametrize(("count", "words"), [(1, "1 run was"), (34, "34 runs were")])
+def test_runs_that_wait_are_no_failures_and_it_is_said_how_to_go_on(count: int, words: str) -> None:
+    waiting = tuple(Failure("cave", "2A", seed, "") for seed in range(count))
+    study = counting(3.0, 4.0)._replace(waiting=waiting, folder=Path("my study"))
+    assert [f"{words} not run yet; go on with: tutorstudent compare --resume --out 'my study'"] == remarks(study)
+    shown = head_html(study, "x", Palette(study.plan.variants()))
+    assert "tutorstudent compare --resume --out &#x27;my study&#x27;" in shown
+    assert "failed" not in shown
+
+
+def test_without_a_goal_the_numbers_that_are_there_are_named() -> None:
+    study = uncounted(made({"2A": {"boiled": [1.0], "energy": [2.0], "violated": [0.0], "share:Warm": [0.5]}}))
+    assert "" == goal_line(study)
+    assert [
+        (
+            "Nothing counts what the tutors achieve; name what does with --goal (there are: boiled, energy), or "
+            "count it with an observer of your own (ts.Entries, docs/guide/write-an-observer.md)."
+        )
+    ] == remarks(study)
+
+
+def test_without_a_goal_and_without_numbers_an_observer_is_what_is_left() -> None:
+    assert [f"Nothing counts what the tutors achieve; {OWN_OBSERVER}."] == remarks(
+        uncounted(counting(1.0)._replace(runs=()))
+    )
+
+
+def test_a_level_that_nobody_searched_for_is_said_to_stand_in() -> None:
+    numbers = {"alone": {"attractors": [1.0, 2.0]}, CONSTANT: {"attractors": [1.0, 3.0]}}
+    study = made(numbers, controls=(CONSTANT,))
+    assert [
+        "No constant level was searched for, as was asked for: constant-4 stands where best-constant would."
+    ] == remarks(study)
+    assert (
+        "No constant level was searched for, since nothing is counted that could be most: constant-4 stands where "
+        "best-constant would."
+    ) in remarks(uncounted(study))
+
+
+def test_a_goal_that_is_the_same_in_every_run_tells_nobody_apart() -> None:
+    assert [
+        (
+            "In cave attractors is 0 in every run, so that it tells nobody apart. It counts how often the tutor enters "
+            f"the situation 'Prey Spin'. Take more decisions, name another goal with --goal, or {OWN_OBSERVER}."
+        )
+    ] == remarks(counting(0.0, 0.0))
+
+
+def test_one_run_alone_is_not_said_to_be_the_same() -> None:
+    assert [] == remarks(made({"alone": {"attractors": [0.0]}}))
+
+
+def test_a_search_in_which_all_levels_came_to_the_same_found_nothing() -> None:
+    study = counting(3.0, 4.0)._replace(search=searched([5.0, 2.0, 2.0, 2.0]))
+    assert [
+        (
+            "In the search for the best constant level in cave every level came to the same attractors, 2: level 1 is "
+            "the one that violates least, or the lowest of those, and best at nothing."
+        )
+    ] == remarks(study)
