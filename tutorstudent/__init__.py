@@ -3,7 +3,7 @@
 from tutorstudent.core.actions import Action, component
 from tutorstudent.core.adapters import FunctionTutor, Loop
 from tutorstudent.core.commands import scalar, vector
-from tutorstudent.core.component import Component, Field, Options, Part
+from tutorstudent.core.component import Binding, Component, Field, Options, Part
 from tutorstudent.core.engine import Engine
 from tutorstudent.core.errors import (
     BrokenPlugin,
@@ -34,6 +34,7 @@ __all__ = [
     "ActionSelector",
     "Amplifier",
     "Begin",
+    "Binding",
     "BrokenPlugin",
     "Change",
     "Codec",
