@@ -15,7 +15,9 @@ class PioneerOptions(Options):
     """Scene, clock, drive, sensors and other robots."""
 
     scene: str = Field(
-        "chase-avoid", description="a shipped scene, or the path of a YAML file from the working directory"
+        "chase-avoid",
+        description="chase-avoid, cave-box, cave-predator-prey, cave-predator-prey-box, or a YAML file's path from the "
+        "working directory",
     )
     side_m: float | None = Field(None, gt=0, le=1000, description="side of a scene in percent, instead of its own, m")
     box_side_m: float | None = Field(None, gt=0, le=100, description="side of every box, instead of its own, m")
