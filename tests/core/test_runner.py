@@ -13,7 +13,7 @@ from tutorstudent.core.errors import ContractError
 from tutorstudent.core.observers import Begin, Entries, Observer, Tally, WorldEvents
 from tutorstudent.core.pipeline import Pipeline
 from tutorstudent.core.records import Turn
-from tutorstudent.core.runner import run, trial_seed
+from tutorstudent.core.runner import check_world, run, trial_seed
 from tutorstudent.core.world import Step
 from tutorstudent.core.yamlfile import parse_yaml
 
@@ -137,3 +137,13 @@ def test_a_second_run_begins_a_new_trial_and_keeps_what_was_learned() -> None:
     assert 2 == len(resets)
     assert 10 == engine.decisions
     assert learned.keys() <= engine.state_dict().keys()
+
+
+def test_a_world_whose_goal_is_none_of_its_events_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Rail, "goal_event", "distance")
+    with pytest.raises(
+        ContractError,
+        match=r"world 'rail': goal_event is 'distance', which is none of its events \(did you mean 'distance_m'\?\)\. "
+        r"Events: collided, distance_m, .*leave goal_event empty",
+    ):
+        check_world(Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry()).engine(), Rail())

@@ -10,7 +10,7 @@ import pytest
 from tutorstudent.core.recording import Arrays
 from tutorstudent.core.registry import Registry
 from tutorstudent.core.rundir import run_pipeline
-from tutorstudent.study.curves import entered, event, harmed, level, matched, places, thinned, total
+from tutorstudent.study.curves import counted, entered, event, harmed, level, matched, places, thinned, total
 from tutorstudent.study.requests import read_pipelines
 
 
@@ -49,6 +49,23 @@ def test_a_stay_is_one_entry_and_a_trials_end_interrupts_it() -> None:
     assert [0, 1, 1, 1, 2, 2, 3, 3] == total(entered(arrays, "Prey Spin")).tolist()
     assert [0] * 8 == total(entered(arrays, "never was in it")).tolist()
     assert [1, 1, 1, 2, 2, 2, 2, 2] == total(entered(arrays, "")).tolist()
+
+
+def test_what_the_world_counts_adds_up_as_what_observers_do() -> None:
+    arrays = recorded(
+        events=[[0.0, -1.0], [2.0, 3.0], [1.0, 0.0]],
+        event_names=["prey", "reward"],
+        situation=[0, 1, 1],
+        situation_names=["", "Prey Spin"],
+        trial_ended=[0, 0, 0],
+    )
+    prey, entries = counted(arrays, "prey", ""), counted(arrays, "attractors", "Prey Spin")
+    assert prey is not None
+    assert entries is not None
+    assert [0.0, 2.0, 3.0] == total(prey).tolist()
+    assert [0.0, 1.0, 1.0] == total(entries).tolist()
+    assert counted(arrays, "reward", "") is None  # its total would fall
+    assert counted(arrays, "falls", "") is None
 
 
 def test_harm_is_violations_where_the_world_knows_no_collisions() -> None:

@@ -88,6 +88,23 @@ def test_the_picture_has_a_mark_for_each_run_and_a_name_for_each_mean() -> None:
     assert "+200 %" in drawn
 
 
+def test_where_nobody_gained_anything_the_scale_says_one_more_and_one_less() -> None:
+    same = {name: Row((Outcome(0.0, 0.0),) * 2, Outcome(0.0, 0.0), Outcome(0.0, 0.0)) for name in ("alone", "2A")}
+    drawn = scatter(Gains("prey", "collided", "alone", 0.0, same), palette_of(same), controls=())
+    labels = re.findall(r">([-+\N{MINUS SIGN}]?[\d.,]+)</text>", drawn)
+    assert 1 == labels.count("+1") == labels.count("\N{MINUS SIGN}1")
+    assert not {"+0", "-0", "\N{MINUS SIGN}0"} & set(labels)
+    assert " %" not in drawn
+
+
+def test_small_gains_are_not_all_written_as_0() -> None:
+    shown = {"alone": Row((Outcome(0.0, 0.0),), Outcome(0.0, 0.0), Outcome(0.0, 0.0))}
+    shown |= {"2A": Row((Outcome(0.0, 0.3),), Outcome(0.0, 0.3), Outcome(0.0, 0.0))}
+    drawn = scatter(Gains("reward", "violated", "alone", 0.0, shown), palette_of(shown), controls=())
+    assert {"+0.1", "+0.2", "+0.3"} <= set(re.findall(r">([-+][\d.]+)</text>", drawn))
+    assert ">+0<" not in drawn
+
+
 def test_means_of_controls_are_rings_in_which_a_learner_that_comes_to_the_same_is_seen() -> None:
     row = Row((Outcome(3.0, 5.0),), Outcome(3.0, 5.0), Outcome(0.0, 0.0))
     shown = {"learner": row, "blind": row}

@@ -14,7 +14,7 @@ from tutorstudent.core.settings import key_and_text, read_key_value
 from tutorstudent.core.yamlfile import parse_yaml
 
 ANY = "pipeline"
-"""The name of a file that is named after its folder."""
+"""What a file may be called that is then named after its folder."""
 
 
 class Setting(NamedTuple):
