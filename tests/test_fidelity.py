@@ -8,17 +8,30 @@ from typing import Any
 
 from tutorstudent.plugins.prototype2.tutor import Prototype2
 from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent_prototype2.calibration.choices import CHOICES
+from tutorstudent_prototype2.calibration.command import LOOKS, PREDICTIONS
+from tutorstudent_prototype2.calibration.dependence import correlations, learner_cases, tutor_cases
+from tutorstudent_prototype2.calibration.predictive import load_predictions
+from tutorstudent_prototype2.calibration.walks import load_looks
 from tutorstudent_prototype2.pipelines import frozen_setting
 
 PAGE = (Path(__file__).parents[1] / "docs" / "fidelity.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| `([\w.]+)`(?:, `(\w+)`)? \| ([^|]+) \| ([^|]+) \|", flags=re.MULTILINE)
 
 
+DEPENDENCE = re.compile(r"^\| `([\w.]+)`.* \| ([^|]+) \|$", flags=re.MULTILINE)
+SHORT = {"cave-box": "CB", "cave-predator-prey": "CPP", "cave-predator-prey-box": "CPPB", "chase-avoid": "CA"}
+SEARCHED_AS = {"tutor.clear_m": "tutor.free_beyond_front_m", "world.sensor_latency": "world.latency_ticks"}
+
+
+def frozen_section() -> str:
+    return PAGE.partition("## The free choices of chapter 4, frozen")[2].partition("\n## ")[0]
+
+
 def printed() -> dict[str, tuple[str, str]]:
     """Return frozen and default value of every choice of the page, as printed."""
-    section = PAGE.partition("## The free choices of chapter 4, frozen")[2].partition("\n## ")[0]
     found = {}
-    for name, second, frozen, default in ROW.findall(section):
+    for name, second, frozen, default in ROW.findall(frozen_section()):
         found[name] = frozen.strip(), default.strip()
         if second:
             found[f"{name.partition('.')[0]}.{second}"] = found[name]
@@ -47,6 +60,21 @@ def test_every_frozen_choice_is_on_the_page_with_its_value() -> None:
     page = {name: values[0] for name, values in printed().items()}
     assert "six places" == page.pop("world.box_places")
     assert {name: f"{value:g}" if isinstance(value, int) else f"{value:.5g}" for name, value in frozen.items()} == page
+
+
+def test_what_results_depend_on_is_what_the_calibration_shows() -> None:
+    looks, predictions = load_looks(LOOKS), load_predictions(PREDICTIONS)
+    tutor = {scene: correlations(tutor_cases(looks, scene), "attractors") for scene in SHORT}
+    learner = {scene: correlations(learner_cases(looks, predictions, scene), "attractors") for scene in SHORT}
+    for name, printed_there in DEPENDENCE.findall(frozen_section()):
+        choice = SEARCHED_AS.get(name, name)
+        if choice in CHOICES:
+            found = [
+                f"{short} {learner[scene][choice]:+.2f} ({tutor[scene][choice]:+.2f})"
+                for scene, short in SHORT.items()
+                if max(abs(learner[scene][choice]), abs(tutor[scene][choice])) >= 0.3
+            ]
+            assert (", ".join(found) or "nothing that shows") == printed_there, name
 
 
 def test_every_default_beside_it_is_the_components_own() -> None:

@@ -38,6 +38,7 @@ def described(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]
     if predictions.exists():
         told = load_predictions(predictions)
         yield from _predictive(seen, told)
+        yield from _gains(seen, told)
         yield from _dependence(seen, told)
 
 
@@ -93,6 +94,19 @@ def _predictive(looks: Sequence[Look], predictions: Sequence[Prediction]) -> Ite
                     f"| {row.environment} | {row.learning_phase} | {mean:g} | {between.low:g} to {between.high:g} | "
                     f"{between.width:g} | {between.median:g} | {inside} |"
                 )
+    yield ""
+
+
+def _gains(looks: Sequence[Look], predictions: Sequence[Prediction]) -> Iterator[str]:
+    stood = {(look.walk, look.round): (look, rounds) for look, rounds in stays(looks)}
+    yield "Where prototype 2A finds more attractors than prototype 2 did under the same setting and seed:"
+    yield ""
+    yield "| environment | share of the settings, % |"
+    yield "|---|---:|"
+    for scene in ENVIRONMENTS:
+        there = [(item, *stood[item.walk, item.round]) for item in predictions if item.scene == scene]
+        more = [item.counts[PHASES[0]].attractors > look.counts[scene].attractors for item, look, _ in there]
+        yield f"| {scene} | {100 * np.average(more, weights=[rounds for *_, rounds in there]):.0f} |"
     yield ""
 
 
