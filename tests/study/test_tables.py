@@ -138,6 +138,14 @@ def test_differences_to_the_tutor_alone() -> None:
     assert "No p can get below 0.05 after Holm with 3 pairs; it takes 7." in table.note
 
 
+def test_of_a_single_pair_there_is_no_p() -> None:
+    whole = study()
+    first = whole._replace(runs=tuple(run for run in whole.runs if run.seed == whole.runs[0].seed))
+    note = titled(first, "Differences to the tutor alone: what was found").note
+    assert "p: none, with so few pairs. Nothing is claimed of controls" in note
+    assert "corrected" not in note
+
+
 def test_differences_to_the_controls() -> None:
     table = titled(study(), "Differences to the controls: what was found")
     assert [("2A", "ramp", "attractors"), ("2A", "ramp", "attractors per 100 m")] == [

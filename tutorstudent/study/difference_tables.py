@@ -54,11 +54,14 @@ def _row(item: Comparison) -> Row:
 
 def _about(family: Family) -> str:
     tests, pairs = family.tests, max(item.difference.pairs for item in family.comparisons)
-    text = (
-        "r: correlation of the two over seeds. Better in: share of pairs, ties half, with Wilson's 95 % interval. "
-        f"p: two-sided sign-flip permutation test of the mean difference. p, Holm: corrected for the {tests} tests of "
-        "this table in all environments."
-    )
+    text = "r: correlation of the two over seeds. Better in: share of pairs, ties half, with Wilson's 95 % interval. "
+    if tests:
+        text += (
+            "p: two-sided sign-flip permutation test of the mean difference. p, Holm: corrected for the "
+            f"{tests} tests of this table in all environments."
+        )
+    elif not all(item.variant.control for item in family.comparisons):
+        text += "p: none, with so few pairs."
     if any(item.variant.control for item in family.comparisons):
         text += " Nothing is claimed of controls, so they are not tested."
     if tests and pairs < fewest_pairs(tests):
