@@ -7,9 +7,9 @@ from typing import Any, ClassVar
 
 from tutorstudent.core import component
 from tutorstudent.core.actions import Action
-from tutorstudent.core.freezing import read_only
 from tutorstudent.core.component import Field
 from tutorstudent.core.errors import ContractError, PipelineError
+from tutorstudent.core.freezing import read_only
 from tutorstudent.core.world import Step, Summary, World
 from tutorstudent.sims.gym.loading import load_gymnasium
 from tutorstudent.sims.gym.spaces import box_values, check_box, check_fit
