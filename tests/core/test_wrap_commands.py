@@ -341,3 +341,16 @@ def test_actions_go_through_as_they_are() -> None:
 def test_a_mistaken_action_is_told_with_the_remedy(make: Any, message: str) -> None:
     with pytest.raises(ts.ContractError, match=re.escape(message)):
         make()
+
+
+def test_a_subclass_of_a_command_reads_a_number_for_each_of_its_own_components() -> None:
+    class Wider(ts.vector(-1, 1, 2)):  # type: ignore[misc]
+        x2: float = ts.component(-1, 1, default=0.0)
+
+    class Renamed(ts.vector(-1, 1, names=["speed", "turn"])):  # type: ignore[misc]
+        pass
+
+    assert [0.1, 0.2, 0.3] == Wider.read([0.1, 0.2, 0.3]).write([0.0, 0.0, 0.0])
+    assert {"speed": 0.1, "turn": 0.2, "lamp": 1} == Renamed.read({"speed": 0.1, "turn": 0.2}).write(
+        {"speed": 0.0, "turn": 0.0, "lamp": 1}
+    )

@@ -19,8 +19,14 @@ Write = Callable[[Any, Any], Any]
 class Command(Action):
     """An action of one kind that stands for the owner's own command."""
 
-    form: ClassVar[Form] = PlainForm(0)
-    """How the owner's command is read and written."""
+    form: ClassVar[Form]
+    """How the owner's command is read and written; a number for each component where nothing else is said."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        super().__pydantic_init_subclass__(**kwargs)
+        if isinstance(getattr(cls, "form", None), PlainForm | None):
+            cls.form = PlainForm(len(cls.vocabulary.components))
 
     @classmethod
     def read(cls, command: Any) -> Command:
