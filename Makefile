@@ -101,7 +101,7 @@ types: $(VENV)/.dev
 	$(BIN)/mypy
 
 tests: $(VENV)/.dev
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n $(WORKERS)
 
 slow: $(VENV)/.dev ## the tests that take minutes to hours each, which `make test` leaves out
 	$(BIN)/python -m pytest -m slow
