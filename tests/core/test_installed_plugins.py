@@ -31,6 +31,17 @@ class Unfinished(ts.Tutor):
 @ts.hookimpl
 def tutorstudent_components(): return [Unfinished]
 """
+UNNAMEABLE = """\
+import tutorstudent as ts
+class Nameless(type(ts.Tutor)):
+    @property
+    def name(cls): raise RuntimeError("no name")
+class Bad(ts.Tutor, metaclass=Nameless):
+    action = ts.scalar(-1, 1)
+    def act(self, state): pass
+@ts.hookimpl
+def tutorstudent_components(): return [Bad]
+"""
 
 
 @pytest.fixture
@@ -132,6 +143,14 @@ def test_a_broken_distribution_is_told_with_reason_and_remedy_and_stops_nobody(
     assert reason in found.reason
     assert remedy in found.remedy
     assert "Traceback" in found.trace
+
+
+def test_a_part_that_cannot_even_tell_its_name_stops_nobody(install: Install) -> None:
+    install("good")
+    install("bad", UNNAMEABLE)
+    (record,) = broken()
+    assert ("bad", "RuntimeError: no name", ()) == (record.entry_point, record.reason.rstrip("."), record.parts)
+    assert "good-condition" in [item.cls.name for item in Registry.discover().of("condition")]
 
 
 def test_a_plugin_for_this_version_loads(install: Install) -> None:

@@ -144,13 +144,21 @@ def broken_by(error: BaseException, entry_point: metadata.EntryPoint, returned: 
     """Return the record of an entry point that could not be used; `returned` is what its hook did, if it got there."""
     distribution = distribution_of(entry_point)
     reason, remedy = diagnosis(error, distribution)
-    parts = tuple((part.role, part.name) for part in map(_class_of, returned) if issubclass(part, Component))
     trace = "".join(traceback.format_exception(error))
-    return Broken(entry_point.name, distribution, " ".join(reason.split()), remedy, trace, parts)
+    return Broken(entry_point.name, distribution, " ".join(reason.split()), remedy, trace, tuple(_named(returned)))
 
 
-def _class_of(part: Any) -> type[Any]:
-    return part if inspect.isclass(part) else type(part)
+def _named(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
+    """Yield role and name of the components; one that is too broken to tell them is left out."""
+    for part in returned:
+        try:
+            cls = part if inspect.isclass(part) else type(part)
+            if issubclass(cls, Component):
+                yield cls.role, cls.name
+        except KeyboardInterrupt:
+            raise
+        except BaseException:  # noqa: S112 - the reason why it is broken has been found already
+            continue
 
 
 def diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
