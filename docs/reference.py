@@ -9,12 +9,12 @@ from typing import Any
 
 import typer.main
 
-from tutorstudent.cli import app
-from tutorstudent.core import hookspecs
-from tutorstudent.core.component import Component
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.pipeline import Header
-from tutorstudent.core.registry import ROLES, Registry
+from tutorstudent.command.program import app
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.files.pipeline import Header
+from tutorstudent.core.files.registry import ROLES, Registry
+from tutorstudent.core.roles import hookspecs
+from tutorstudent.core.roles.part import Component
 
 PAGES = ("commands", "parts", "pipeline", "hooks")
 
@@ -154,7 +154,7 @@ def hooks() -> Iterator[str]:
             yield f"## {name}"
             yield ""
             yield "```{eval-rst}"
-            yield f".. autofunction:: tutorstudent.core.hookspecs.{name}"
+            yield f".. autofunction:: tutorstudent.core.roles.hookspecs.{name}"
             yield "```"
 
 

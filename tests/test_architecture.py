@@ -6,7 +6,7 @@ import ast
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -14,91 +14,94 @@ import pytest
 PACKAGE = Path(__file__).parent.parent / "tutorstudent"
 FILES = sorted(PACKAGE.rglob("*.py"))
 
-CORE_ORDER = [
-    {"errors", "freezing"},
-    {"actions"},
-    {"problems", "binding"},
-    {"proposals", "records", "component"},
-    {"limits", "leaves", "interfaces", "world", "forms"},
-    {"rendering", "guard", "wiring", "namedform"},
-    {"judging", "levels", "tutoring", "teaching", "grading"},
-    {"corrections"},
-    {"engine"},
-    {"observers"},
-    {"recording", "runner", "hookspecs", "commands", "yamlnodes", "yamlproblems"},
-    {"yamlfile"},
-    {"loading"},
-    {"registry", "adapters", "settings", "transplanting", "extending", "plainvalues"},
-    {"assembly"},
-    {"pipeline"},
-    {"rundir", "optiontable"},
-    {"schema"},
+FLOORS = [
+    "core/words",
+    "core/roles",
+    "core/deciding",
+    "core/running",
+    "core/files",
+    "sims",
+    "plugins",
+    "checks",
+    "templates",
+    "study/plans",
+    "study/runs",
+    "study/numbers",
+    "study/pictures",
+    "study/tables",
+    "study/page",
+    "study",
+    "command",
 ]
-RANK = {name: rank for rank, names in enumerate(CORE_ORDER) for name in names}
-FORBIDDEN = {
-    "core": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
-    "plugins": ("tutorstudent.study", "tutorstudent.cli"),
-    "sims": ("tutorstudent.plugins", "tutorstudent.study", "tutorstudent.cli"),
-    "study": ("tutorstudent.cli",),
-    "checks": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
-    "templates": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.study", "tutorstudent.cli"),
+"""Every folder with code, lowest first: a file imports from its own folder and from those before it."""
+APART = {
+    "plugins": ("tutorstudent.core.files",),
+    "sims": (),
+    "checks": ("tutorstudent.plugins", "tutorstudent.sims"),
+    "templates": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.checks"),
+    "study": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.checks", "tutorstudent.templates"),
 }
+"""What an area must not import although it lies below."""
 HEAVY = ("pybullet", "sklearn", "joblib", "scipy", "matplotlib", "gymnasium")
 
 
-def imports(path: Path) -> Iterator[tuple[str, bool]]:
-    """Yield every imported module with whether it is imported as soon as the file is."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    top = {id(node) for node in ast.walk(tree) if isinstance(node, ast.Module) for node in node.body}
-    for node in ast.walk(tree):
+def imports(path: Path) -> Iterator[str]:
+    """Yield every name that a file imports, wherever in the file."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from ((alias.name, id(node) in top) for alias in node.names)
+            yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            yield from ((f"{node.module}.{alias.name}", id(node) in top) for alias in node.names)
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
 def area(path: Path) -> str:
     return path.relative_to(PACKAGE).parts[0]
 
 
-def test_areas_import_only_what_lies_below_them() -> None:
-    offences = [
+def floor(words: Sequence[str]) -> int | None:
+    """Return the floor of a file or module below the package; None for the package's own few modules."""
+    return next(
+        (i for i in reversed(range(len(FLOORS))) if tuple(words[: len(found := FLOORS[i].split("/"))]) == tuple(found)),
+        None,
+    )
+
+
+def offences(forbidden: Callable[[Path, str], bool]) -> list[str]:
+    return [
         f"{path.relative_to(PACKAGE)} imports {name}"
         for path in FILES
-        for name, _ in imports(path)
-        for forbidden in FORBIDDEN.get(area(path), ())
-        if name.startswith(forbidden)
+        for name in imports(path)
+        if forbidden(path, name)
     ]
-    assert [] == offences
+
+
+def test_every_folder_with_code_stands_on_a_floor() -> None:
+    folders = {path.relative_to(PACKAGE).parent.parts[:2] for path in FILES}
+    assert [] == [folder for folder in folders if folder and folder != ("core",) and floor(folder) is None]
+
+
+def test_every_floor_is_a_folder_with_code() -> None:
+    assert [] == [name for name in FLOORS if not any((PACKAGE / name).glob("*.py"))]
+
+
+def test_folders_import_only_what_lies_below_them() -> None:
+    def is_above(path: Path, name: str) -> bool:
+        own, other = floor(path.relative_to(PACKAGE).parts), floor(name.split(".")[1:])
+        return name.startswith("tutorstudent.") and own is not None and other is not None and other > own
+
+    assert [] == offences(is_above)
+
+
+def test_areas_that_stand_side_by_side_do_not_import_each_other() -> None:
+    assert [] == offences(lambda path, name: name.startswith(APART.get(area(path), ()) or "-"))
 
 
 def test_plugins_take_only_the_robots_vocabulary_from_the_simulator() -> None:
-    offences = [
-        f"{path.relative_to(PACKAGE)} imports {name}"
-        for path in FILES
-        for name, _ in imports(path)
-        if area(path) == "plugins"
-        and name.startswith("tutorstudent.sims")
-        and not name.startswith("tutorstudent.sims.pioneer.types")
-    ]
-    assert [] == offences
+    def is_more(path: Path, name: str) -> bool:
+        robot = name.startswith("tutorstudent.sims.pioneer.types")
+        return area(path) == "plugins" and name.startswith("tutorstudent.sims") and not robot
 
-
-def test_core_imports_in_one_order() -> None:
-    offences = [
-        f"{path.stem} imports {below}"
-        for path in sorted((PACKAGE / "core").glob("*.py"))
-        if path.stem != "__init__"
-        for name, _ in imports(path)
-        if name.startswith("tutorstudent.core.")
-        and (below := name.split(".")[2]) != path.stem
-        and RANK[below] > RANK[path.stem]
-    ]
-    assert [] == offences
-
-
-def test_every_core_file_has_a_place_in_the_order() -> None:
-    assert set(RANK) == {path.stem for path in (PACKAGE / "core").glob("*.py")} - {"__init__"}
+    assert [] == offences(is_more)
 
 
 def test_pybullet_is_imported_in_one_file() -> None:
@@ -107,7 +110,7 @@ def test_pybullet_is_imported_in_one_file() -> None:
     assert {"sims/pioneer/bullet.py"} == found
 
 
-@pytest.mark.parametrize("module", ["tutorstudent", "tutorstudent.cli"])
+@pytest.mark.parametrize("module", ["tutorstudent", "tutorstudent.command.program"])
 def test_importing_does_not_import_heavy_packages(module: str) -> None:
     code = f"import sys, {module}; print([name for name in {HEAVY!r} if name in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -116,7 +119,7 @@ def test_importing_does_not_import_heavy_packages(module: str) -> None:
 
 def test_discovering_all_plugins_does_not_import_heavy_packages() -> None:
     code = (
-        "import sys; from tutorstudent.core.registry import Registry; r = Registry.discover(); "
+        "import sys; from tutorstudent.core.files.registry import Registry; r = Registry.discover(); "
         f"print(r.broken, [name for name in {HEAVY!r} if name in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -128,7 +131,7 @@ def test_the_engine_needs_neither_plugin_manager_nor_yaml() -> None:
     code = (
         "import sys, types, pathlib; package = types.ModuleType('tutorstudent'); "
         f"package.__path__ = [{str(PACKAGE)!r}]; sys.modules['tutorstudent'] = package; "
-        "import tutorstudent.core.engine; "
+        "import tutorstudent.core.deciding.engine; "
         "print([name for name in ('pluggy', 'ruamel.yaml', 'typer', 'rich') if name in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from tutorstudent.cli import app, main
-from tutorstudent.core.recording import load_arrays
+from tutorstudent.command.program import app, main
+from tutorstudent.core.running.arrays import load_arrays
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
 FULL = EXAMPLES / "prototype2a.yaml"
@@ -226,7 +226,7 @@ def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
     if earlier:
         assert 0 == CliRunner().invoke(app, words).exit_code
     kept = sorted(path.name for path in tmp_path.rglob("*"))
-    monkeypatch.setattr("tutorstudent.cli.run_pipeline", interrupted)
+    monkeypatch.setattr("tutorstudent.command.program.run_pipeline", interrupted)
     result = CliRunner().invoke(app, words)
     assert 130 == result.exit_code
     assert "interrupted; a run is written at its end, so nothing is." in result.stderr

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 import typer.main
 
-from tutorstudent.cli import app, main
-from tutorstudent.core import hookspecs
-from tutorstudent.core.registry import Registry
+from tutorstudent.command.program import app, main
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles import hookspecs
 
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.append(str(DOCS))

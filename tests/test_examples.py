@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import run_pipeline
 
 ROOT = Path(__file__).parents[1]
 PIPELINES = sorted((ROOT / "examples").rglob("pipelines/*.yaml"))

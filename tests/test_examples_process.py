@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins.process import ProcessTutor
 from tutorstudent.sims.gym import GymState
 from tutorstudent.sims.pioneer.types import PioneerState

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from tutorstudent.plugins.prototype2.tutor import Prototype2
-from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent_prototype2.calibration.choices import CHOICES
 from tutorstudent_prototype2.calibration.command import LOOKS, PREDICTIONS
 from tutorstudent_prototype2.calibration.dependence import correlations, learner_cases, tutor_cases

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 import typer.main
 
-from tutorstudent.cli import app
+from tutorstudent.command.program import app
 from tutorstudent_prototype2.cli import app as prototype2
 
 ROOT = Path(__file__).parents[1]

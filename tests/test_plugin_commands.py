@@ -13,13 +13,13 @@ import pytest
 from typer.testing import CliRunner
 
 from tests.core.toys import toy_registry
-from tutorstudent import plugin_list
-from tutorstudent.cli import app, main
-from tutorstudent.core.errors import TutorStudentError
-from tutorstudent.core.loading import TRACE
-from tutorstudent.core.registry import Registry
-from tutorstudent.everywhere import VERBOSE
-from tutorstudent.plugin_info import find, page, yaml_line
+from tutorstudent.command import plugin_list
+from tutorstudent.command.common_options import VERBOSE
+from tutorstudent.command.plugin_info import find, page, yaml_line
+from tutorstudent.command.program import app, main
+from tutorstudent.core.files.loading import TRACE
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import TutorStudentError
 
 COMMANDS = [
     [],

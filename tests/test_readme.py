@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.sims.pioneer.types import DriveAction
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")

@@ -1,11 +1,22 @@
 """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
 
-from tutorstudent.core.actions import Action, component
-from tutorstudent.core.adapters import FunctionTutor, Loop
-from tutorstudent.core.commands import scalar, vector
-from tutorstudent.core.component import Binding, Component, Field, Options, Part
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import (
+from tutorstudent.core.deciding.adapters import FunctionTutor, Loop
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.files.pipeline import Pipeline, load
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
+from tutorstudent.core.roles.leaves import Change, Codec, Condition, Encoder, change, condition, encoder
+from tutorstudent.core.roles.part import Component, Field, Options
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.roles.world import Sketch, Step, World
+from tutorstudent.core.running.observers import Begin, Entries, Observer
+from tutorstudent.core.running.runner import run
+from tutorstudent.core.words.actions import Action, component
+from tutorstudent.core.words.commands import scalar, vector
+from tutorstudent.core.words.errors import (
     BrokenPlugin,
     ContractError,
     DuplicatePlugin,
@@ -14,17 +25,8 @@ from tutorstudent.core.errors import (
     TutorStudentError,
     UnknownPlugin,
 )
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
-from tutorstudent.core.leaves import Change, Codec, Condition, Encoder, change, condition, encoder
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.observers import Begin, Entries, Observer
-from tutorstudent.core.pipeline import Pipeline, load
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.runner import run
-from tutorstudent.core.world import Sketch, Step, World
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
 from tutorstudent.wrapping import wrap
 
 __version__ = "0.1.0"

@@ -1,6 +1,6 @@
 """``python -m tutorstudent``."""
 
-from tutorstudent.cli import main
+from tutorstudent.command.program import main
 
 if __name__ == "__main__":
     main()

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from tutorstudent.core.actions import Action
-from tutorstudent.core.adapters import Loop, as_tutor
-from tutorstudent.core.leaves import Condition, condition
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.yamlfile import Document
+from tutorstudent.core.deciding.adapters import Loop, as_tutor
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.leaves import Condition, condition
+from tutorstudent.core.words.actions import Action
 
 Predicate = Callable[[Any], bool]
 

@@ -10,9 +10,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
-from tutorstudent.core.recording import load_arrays
-from tutorstudent.study.maps import HIGHEST_LEVEL, draw_way, level_colours
-from tutorstudent.study.sketches import load_sketch
+from tutorstudent.core.running.arrays import load_arrays
+from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, draw_way, level_colours
+from tutorstudent.study.runs.sketches import load_sketch
 
 ENVIRONMENT = "cave-box"
 PANELS = {"prototype2": "The controller alone", "prototype2a": "The same controller with the learner"}

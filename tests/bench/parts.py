@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 import tutorstudent as ts
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.plugins.backprop.network import Network
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState
 

@@ -9,12 +9,12 @@ from typing import Any
 from ruamel.yaml import YAML
 
 from tests.bench.parts import FULL, Work, engine
-from tutorstudent.core.component import Binding
-from tutorstudent.core.world import World
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.world import World
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.calls import CallLog, bound
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction
-from tutorstudent.sims.pioneer.world import PioneerWorld
 
 SCENES = Path(__file__).parents[2] / "tutorstudent" / "sims" / "pioneer" / "scenes"
 DECISIONS = 1500

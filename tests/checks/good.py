@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, NamedTuple
 import numpy as np
 
 import tutorstudent as ts
-from tutorstudent.core.actions import AmplificationMap
+from tutorstudent.core.words.actions import AmplificationMap
 
 
 class Heat(ts.Action):

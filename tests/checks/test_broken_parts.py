@@ -28,7 +28,7 @@ from tests.checks.good import (
     room,
 )
 from tutorstudent.checks import checks_of, run_checks
-from tutorstudent.core.component import Component
+from tutorstudent.core.roles.part import Component
 
 GLOBAL = np.random.RandomState(1)
 UNSOUND = "answers_are_sound"

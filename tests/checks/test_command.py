@@ -10,10 +10,10 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from tutorstudent.checks import Report, checks_of, run_checks
-from tutorstudent.checks.command import find_role
-from tutorstudent.cli import app
-from tutorstudent.core.errors import PipelineError, UnknownPlugin
-from tutorstudent.core.registry import Registry
+from tutorstudent.command.check import find_role
+from tutorstudent.command.program import app
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import PipelineError, UnknownPlugin
 
 UNORDERED = """\
 import tutorstudent as ts

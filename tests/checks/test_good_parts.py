@@ -11,13 +11,13 @@ from tests.checks.good import GOOD, Heat, House, Room, Stove, room
 from tests.plugins.process.programs import UNIT, answering
 from tutorstudent.checks import Report, checks_of, run_checks
 from tutorstudent.checks.process import make
-from tutorstudent.core.commands import scalar
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import ContractError, PipelineError
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.leaves import Encoder, condition, encoder
-from tutorstudent.core.records import Moment
-from tutorstudent.core.registry import ROLES, Installed, Registry
+from tutorstudent.core.files.registry import ROLES, Installed, Registry
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.leaves import Encoder, condition, encoder
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.commands import scalar
+from tutorstudent.core.words.errors import ContractError, PipelineError
+from tutorstudent.core.words.records import Moment
 from tutorstudent.plugins.backprop import BackpropStudent
 from tutorstudent.plugins.changes import Additive
 from tutorstudent.plugins.prototype2 import Bits

@@ -10,8 +10,8 @@ import pytest
 from pydantic import ValidationError
 
 from tests.core.oracle.shapes import SHAPES, Flight, Oven, Shape, Valve
-from tutorstudent.core.actions import Action, AmplificationMap, component
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.sims.pioneer.types import DriveAction
 
 NAN, INF = float("nan"), float("inf")

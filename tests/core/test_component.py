@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding, stream
+from tutorstudent.core.roles.binding import Binding, stream
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.changes import Additive
 from tutorstudent.plugins.controls import Random

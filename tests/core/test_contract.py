@@ -11,7 +11,7 @@ import pytest
 from tests.core.oracle.behaviours import EVERYTHING
 from tests.core.oracle.doubles import BROKEN
 from tests.core.oracle.trial import Tally, run
-from tutorstudent.core.engine import Engine
+from tutorstudent.core.deciding.engine import Engine
 
 UNDISPUTED = [
     ("student", "raises an exception"),

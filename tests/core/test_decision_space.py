@@ -10,9 +10,9 @@ import pytest
 
 from tests.core.oracle.scripted import KindStudent, LevelStudent, Says, ScriptedTutor
 from tests.core.oracle.thesis import KINDS, Components, Period, Produced, Said, Taught, TutorStudentAlgorithm
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import GradedAction, Lesson
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import GradedAction, Lesson
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.evaluators import Conditions
 from tutorstudent.plugins.selectors import SameKind

@@ -7,11 +7,11 @@ from typing import Any
 import pytest
 
 from tests.core.oracle.scripted import LevelStudent, ListeningTutor, Measures, Says, engine, forward, level
-from tutorstudent.core.component import Learned
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.guard import REMEMBERED
-from tutorstudent.core.proposals import LevelProposal
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.guard import REMEMBERED
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.controls import Random
 

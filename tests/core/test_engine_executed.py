@@ -8,11 +8,11 @@ import pytest
 
 from tests.core.oracle.scripted import ListeningTutor, Says, ScriptedTutor, engine, forward, level
 from tests.core.oracle.shapes import Flight, Oven, Valve
-from tutorstudent.core.actions import Action
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.leaves import Change
-from tutorstudent.core.limits import Limits
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.plugins.amplifiers import LearningPhase, Never
 from tutorstudent.sims.pioneer.types import DriveAction
 

@@ -20,10 +20,10 @@ from tests.core.oracle.scripted import (
     level,
 )
 from tests.core.oracle.shapes import Valve
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.leaves import Change
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.proposals import LevelProposal
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.evaluators import Conditions
 from tutorstudent.plugins.streamlined.modifier import Modifier

@@ -12,10 +12,10 @@ import pytest
 from tests.core.oracle.lies import Fatal
 from tests.core.oracle.scripted import KindStudent, LevelStudent, Says, ScriptedTutor, engine
 from tests.core.oracle.shapes import Flight, Oven, Valve
-from tutorstudent.core.actions import Action
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.proposals import KindProposal
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.proposals import KindProposal
 from tutorstudent.plugins.controls import Silent
 from tutorstudent.plugins.selectors import SameKind
 from tutorstudent.sims.pioneer.types import DriveAction

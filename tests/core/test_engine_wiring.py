@@ -9,8 +9,8 @@ import pytest
 
 from tests.core.oracle.scripted import KindStudent, Says, ScriptedTutor, engine, forward, level
 from tests.core.oracle.shapes import Valve
-from tutorstudent.core.actions import Action, component
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.actions import Action, component
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.changes import Additive
 from tutorstudent.plugins.selectors import SameKind

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.errors import PipelineError, TutorStudentError
-from tutorstudent.core.extending import read_extended
-from tutorstudent.core.pipeline import Pipeline, describe
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.extending import read_extended
+from tutorstudent.core.files.pipeline import Pipeline, describe
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 REGISTRY = toy_registry()
 

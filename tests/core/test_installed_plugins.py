@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.core.errors import BrokenPlugin, UnknownPlugin
-from tutorstudent.core.hookspecs import API
-from tutorstudent.core.loading import ALLOW_LIST, TRACE, Broken
-from tutorstudent.core.pipeline import load
-from tutorstudent.core.registry import Registry
+from tutorstudent.core.files.loading import ALLOW_LIST, TRACE, Broken
+from tutorstudent.core.files.pipeline import load
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles.hookspecs import API
+from tutorstudent.core.words.errors import BrokenPlugin, UnknownPlugin
 
 Install = Callable[..., None]
 GOOD = """\

@@ -10,11 +10,11 @@ from pydantic import ValidationError
 
 from tests.core.oracle.scripted import LevelStudent, ScriptedTutor, engine, forward, level
 from tests.core.oracle.shapes import Oven, Valve
-from tutorstudent.core.actions import Action
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.leaves import change
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.proposals import LevelProposal
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.roles.leaves import change
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.plugins.amplifiers import LearningPhase, Never
 from tutorstudent.plugins.changes import Additive, Multiplicative
 from tutorstudent.sims.pioneer.types import DriveAction

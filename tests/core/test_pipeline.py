@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from tests.core.toys import PIPELINE, Push, Pusher, toy_registry
-from tutorstudent.core.errors import PipelineError, TutorStudentError
-from tutorstudent.core.pipeline import Pipeline, describe, load
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline, describe, load
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 REGISTRY = toy_registry()
 EXAMPLES = Path(__file__).parents[2] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"

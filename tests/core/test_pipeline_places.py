@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_registry
-from tutorstudent.core import component as component_module
-from tutorstudent.core.component import Field
-from tutorstudent.core.errors import BrokenPlugin, ContractError, PipelineError, TutorStudentError
-from tutorstudent.core.leaves import Condition, Encoder
-from tutorstudent.core.observers import Observer
-from tutorstudent.core.pipeline import Pipeline, describe
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline, describe
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.roles import part as part_module
+from tutorstudent.core.roles.leaves import Condition, Encoder
+from tutorstudent.core.roles.part import Field
+from tutorstudent.core.running.observers import Observer
+from tutorstudent.core.words.errors import BrokenPlugin, ContractError, PipelineError, TutorStudentError
 
 
 class Pull(Push):
@@ -29,7 +29,7 @@ class Awkward(Encoder[Any, Any]):
     name = "awkward"
     width = 1
 
-    class Options(component_module.Options):
+    class Options(part_module.Options):
         error: str = Field("", description="what it raises")
 
     def setup(self) -> None:
@@ -74,7 +74,7 @@ class Ledger(Observer):
     name = "ledger"
     closed: ClassVar[list[str]] = []
 
-    class Options(component_module.Options):
+    class Options(part_module.Options):
         page: str = Field("one", description="what it notes")
         fails: bool = Field(default=False, description="whether it cannot be closed")
         lost: bool = Field(default=False, description="whether it cannot be set up")
@@ -114,11 +114,11 @@ class Mood(Enum):
     CALM = "calm"
 
 
-class Runner(component_module.Options):
+class Runner(part_module.Options):
     forward: float = Field(0.3, description="how fast it runs")
 
 
-class Odd(component_module.Options):
+class Odd(part_module.Options):
     """Options of other types than YAML has."""
 
     where: Path = Field(Path("maps/hall.yaml"), description="a path")

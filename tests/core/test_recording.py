@@ -10,14 +10,15 @@ import numpy as np
 import pytest
 
 from tests.core.toys import PIPELINE, Push, Pusher, toy_registry
-from tutorstudent.core import actions
-from tutorstudent.core.actions import AmplificationMap
-from tutorstudent.core.errors import ContractError, PipelineError
-from tutorstudent.core.observers import Begin
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.recording import Recorder, flat, load_arrays, nested, save_arrays
-from tutorstudent.core.rundir import run_pipeline
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.running.observers import Begin
+from tutorstudent.core.running.recorder import Recorder
+from tutorstudent.core.words import actions
+from tutorstudent.core.words.actions import AmplificationMap
+from tutorstudent.core.words.errors import ContractError, PipelineError
 
 
 class Labelled(Push):
@@ -59,7 +60,7 @@ def test_more_decisions_than_memory_are_a_sentence(monkeypatch: pytest.MonkeyPat
     pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry())
     engine = pipeline.engine()
     begin = Begin(engine, pipeline.world(engine.tutor.action), 1_000_000_000)
-    monkeypatch.setattr("tutorstudent.core.recording.np", SimpleNamespace(zeros=refuse, int32=np.int32))
+    monkeypatch.setattr("tutorstudent.core.running.recorder.np", SimpleNamespace(zeros=refuse, int32=np.int32))
     message = "there is no memory to record 1,000,000,000 decisions; ask for fewer, as in decisions: 10000."
     with pytest.raises(PipelineError, match=message):
         Recorder().begin(begin)

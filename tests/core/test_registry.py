@@ -10,12 +10,12 @@ from typing import Any
 import pytest
 
 from tests.core.toys import Pusher, Rail
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.loading import ALLOW_LIST
-from tutorstudent.core.registry import Registry
+from tutorstudent.core.files.loading import ALLOW_LIST
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin
 
 
 class Abstract(Tutor[Any, Any]):

@@ -12,8 +12,8 @@ from pydantic import model_validator
 
 from tests.core.oracle.scripted import ScriptedTutor, engine, level
 from tests.core.oracle.shapes import Flight, Oven, Valve
-from tutorstudent.core.actions import Action, AmplificationMap, component
-from tutorstudent.core.limits import Limits
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.changes import Multiplicative
 from tutorstudent.sims.pioneer.types import DriveAction

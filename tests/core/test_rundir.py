@@ -13,15 +13,15 @@ import numpy as np
 import pytest
 
 from tests.core.toys import PIPELINE, Pusher, Rail, toy_registry
-from tutorstudent.core import component as component_module
-from tutorstudent.core.component import Field
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.observers import Observer
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.recording import flat, load_arrays, nested, save_arrays
-from tutorstudent.core.rundir import Finished, prepare, run_pipeline, write_run
-from tutorstudent.core.world import Step
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.rundir import Finished, prepare, run_pipeline, write_run
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.roles import part as part_module
+from tutorstudent.core.roles.part import Field
+from tutorstudent.core.roles.world import Step
+from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.running.observers import Observer
+from tutorstudent.core.words.errors import PipelineError
 
 
 class Paint(Enum):
@@ -68,7 +68,7 @@ class Forgetful(Pusher):
 
     name = "forgetful"
 
-    class Options(component_module.Options):
+    class Options(part_module.Options):
         how: str = Field("raise", description="what is wrong with what it learned")
 
     def state_dict(self) -> Mapping[str, Any]:

@@ -8,14 +8,14 @@ from typing import Any
 import pytest
 
 from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_registry
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.observers import Begin, Entries, Observer, Tally, WorldEvents
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.records import Turn
-from tutorstudent.core.runner import check_world, run, trial_seed
-from tutorstudent.core.world import Step
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.world import Step
+from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
+from tutorstudent.core.running.runner import check_world, run, trial_seed
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.records import Turn
 
 REGISTRY = toy_registry()
 

@@ -11,11 +11,11 @@ import jsonschema
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.pipeline import KEYS, SLOTS, Pipeline
-from tutorstudent.core.plainvalues import plain
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.schema import pipeline_schema
-from tutorstudent.core.yamlfile import parse_yaml, read_yaml
+from tutorstudent.core.files.pipeline import KEYS, SLOTS, Pipeline
+from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.schema import pipeline_schema
+from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted((ROOT / "examples").rglob("*.yaml"))

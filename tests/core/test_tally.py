@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from tutorstudent.core.observers import Tally
-from tutorstudent.core.proposals import KindProposal, LevelProposal, Proposal
+from tutorstudent.core.running.observers import Tally
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal, Proposal
 
 
 def summary(*proposals: Proposal | None) -> dict[str, float]:

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.component import Learned
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.recording import load_arrays, save_arrays
-from tutorstudent.core.rundir import run_pipeline, write_run
-from tutorstudent.core.transplanting import transplant
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.rundir import run_pipeline, write_run
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.running.arrays import load_arrays, save_arrays
+from tutorstudent.core.running.transplanting import transplant
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.plugins.controls import Silent
 
 NETWORK = PIPELINE.replace("use: table", "use: backprop\n  hidden: 5")

@@ -15,7 +15,7 @@ import pydantic
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.forms import in_type_of
+from tutorstudent.core.words.forms import in_type_of
 
 SPEED = ts.scalar(-1, 1, name="speed")
 DRIVE = ts.vector(-1, 1, names=["speed", "turn"])

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.yamlfile import parse_yaml, read_yaml
+from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
+from tutorstudent.core.words.errors import PipelineError
 
 
 def test_values_are_plain() -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar, Literal
 
-from tutorstudent.core import component as component_module
-from tutorstudent.core.actions import Action, AmplificationMap, component
-from tutorstudent.core.component import Field
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.leaves import condition
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.world import Sketch, Step, World
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles import part as part_module
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.leaves import condition
+from tutorstudent.core.roles.part import Field
+from tutorstudent.core.roles.world import Sketch, Step, World
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
 
 
 class Push(Action):
@@ -40,7 +40,7 @@ class Rail(World[float, Push]):
     name = "rail"
     action = Push
 
-    class Options(component_module.Options):
+    class Options(part_module.Options):
         length_m: float = Field(default=5.0, gt=0, description="where a trial ends")
         patience: int = Field(default=1000, ge=1, description="decisions after which a trial is cut off")
 

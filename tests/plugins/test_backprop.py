@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding, stream
-from tutorstudent.core.records import Lesson, Moment, Outcome
+from tutorstudent.core.roles.binding import Binding, stream
+from tutorstudent.core.words.records import Lesson, Moment, Outcome
 from tutorstudent.plugins import backprop
 from tutorstudent.plugins.backprop import BackpropStudent, Network
 from tutorstudent.plugins.codecs import KindLevelAmpbit

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins.codecs import KindLevelAmpbit
-from tutorstudent.plugins.levels import AnalogueLevel, BinaryLevel, LevelCode, ThermometerLevel
+from tutorstudent.plugins.level_codes import AnalogueLevel, BinaryLevel, LevelCode, ThermometerLevel
 from tutorstudent.sims.pioneer.types import DriveAction
 
 KINDS = ("stop", "forward", "backward", "left", "right")

@@ -7,12 +7,12 @@ from typing import Any
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.errors import PipelineError, TutorStudentError
-from tutorstudent.core.judging import NO_MARGINS
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.records import Decision, GradedAction, Moment, Outcome
-from tutorstudent.core.rundir import run_pipeline
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.deciding.judging import NO_MARGINS
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.files.yamlfile import parse_yaml
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
+from tutorstudent.core.words.records import Decision, GradedAction, Moment, Outcome
 from tutorstudent.plugins.controls import Blind
 from tutorstudent.plugins.evaluators import Conditions, Interval
 from tutorstudent.sims.pioneer.types import DriveAction

@@ -7,9 +7,9 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.records import Moment
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.records import Moment
 from tutorstudent.plugins.prototype2 import Bits, SituationBits, Thermometer
 from tutorstudent.plugins.prototype2.encoders import BitEncoder
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.plugins.prototype2.planner import Rule, StatePlanner
 
 Seen = frozenset[str]

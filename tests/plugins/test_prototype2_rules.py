@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins.prototype2 import Prototype2
 from tutorstudent.plugins.prototype2.rules import RULES
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import ContractError, PipelineError
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.plugins.prototype2 import Prototype2, tutorstudent_components
-from tutorstudent.plugins.prototype2.options import Tuning
 from tutorstudent.plugins.prototype2.percept import perceive
+from tutorstudent.plugins.prototype2.planner_options import Tuning
 from tutorstudent.plugins.prototype2.rules import RULES
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins.prototype2 import Prototype2
 from tutorstudent.sims.pioneer.types import DriveAction
 
@@ -28,7 +28,7 @@ class Drive(NamedTuple):
 
 
 def drive(scene: str, seed: int, decisions: int) -> Drive:
-    from tutorstudent.sims.pioneer.world import PioneerWorld
+    from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 
     world, tutor = PioneerWorld(scene=scene), Prototype2()
     for part, slot in ((world, "world"), (tutor, "tutor")):

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from tests.core.toys import Push
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.records import Moment
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.records import Moment
 from tutorstudent.plugins.ranges import Ranges
 
 

@@ -14,9 +14,9 @@ import pytest
 from sklearn.base import BaseEstimator, RegressorMixin
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
-from tutorstudent.core.recording import flat, nested
-from tutorstudent.core.records import Lesson, Moment, Outcome
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.running.arrays import flat, nested
+from tutorstudent.core.words.records import Lesson, Moment, Outcome
 from tutorstudent.plugins import sklearn_student
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.estimator_state import export_state, fill_state

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.leaves import Condition, condition, encoder
-from tutorstudent.core.records import Decision, GradedAction, Moment, Outcome
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.leaves import Condition, condition, encoder
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.records import Decision, GradedAction, Moment, Outcome
 from tutorstudent.plugins.amplifiers import LearningPhase, Never
 from tutorstudent.plugins.changes import Additive, Multiplicative
 from tutorstudent.plugins.conditions import AllOf, AnyOf, Bumped, Near, Not

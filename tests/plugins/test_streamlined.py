@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins import streamlined
 from tutorstudent.plugins.streamlined import LevelAmpbit, Modifier
 from tutorstudent.sims.pioneer.types import DriveAction

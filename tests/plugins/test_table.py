@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
-from tutorstudent.core.records import Lesson, Moment, Outcome
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.words.records import Lesson, Moment, Outcome
 from tutorstudent.plugins import table
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.streamlined import LevelAmpbit

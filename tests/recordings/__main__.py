@@ -10,7 +10,7 @@ import numpy as np
 
 from tests.recordings.cases import loops, pipelines
 from tests.recordings.streams import Digests, arithmetic, digests
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.rundir import run_pipeline
 
 DATA = Path(__file__).parent / "data" / "streams.json"
 

@@ -10,7 +10,7 @@ import pytest
 from tests.recordings.__main__ import DATA
 from tests.recordings.cases import loops, pipelines
 from tests.recordings.streams import BLOCK, arithmetic, differences, digests
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.rundir import run_pipeline
 
 RECORDED = json.loads(DATA.read_text(encoding="utf-8"))
 PIPELINES = dict(pipelines())

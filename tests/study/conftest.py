@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from joblib.externals.loky import get_reusable_executor
 
-from tutorstudent.core.registry import Registry
+from tutorstudent.core.files.registry import Registry
 from tutorstudent.study import Plan, Request, make_plan, read_pipelines
 
 FULL = """\

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import tutorstudent as ts
-from tutorstudent.core.observers import Entries
-from tutorstudent.core.runner import trial_seed
+from tutorstudent.core.running.observers import Entries
+from tutorstudent.core.running.runner import trial_seed
 from tutorstudent.sims.pioneer.types import DriveAction
 
 LENGTHS_M = {"short": 3.0, "long": 6.0}

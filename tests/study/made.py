@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from tutorstudent.study.plan import Environment, Plan, Variant
-from tutorstudent.study.results import Failure, Run, Study
+from tutorstudent.study.plans.plan import Environment, Plan, Variant
+from tutorstudent.study.runs.results import Failure, Run, Study
 
 COUNTERS = {"attractors": "Prey Spin"}
 Numbers = Mapping[str, Mapping[str, Sequence[float | None]]]

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import tutorstudent as ts
-from tutorstudent.core.observers import Entries
+from tutorstudent.core.running.observers import Entries
 
 Heat = ts.scalar(0.0, 1.0)
 

@@ -11,10 +11,10 @@ from typer.testing import CliRunner
 
 from tests.study.conftest import results
 from tests.study.test_command import app
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Backend, Job, Plan, run_jobs, run_plan
-from tutorstudent.study import backends as backends_module
-from tutorstudent.study.backends import check_backend
+from tutorstudent.study.runs import backends as backends_module
+from tutorstudent.study.runs.backends import check_backend
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from tutorstudent.study.bins import binned, covers, edges, middles
+from tutorstudent.study.numbers.curves import binned, covers, edges, middles
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,10 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.registry import Registry
-from tutorstudent.study import extras
-from tutorstudent.study.command import compare
+from tutorstudent.command.compare import compare
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.study.runs import backends
 
 app = typer.Typer(pretty_exceptions_enable=False)
 app.command()(compare)
@@ -116,7 +116,7 @@ def test_what_could_not_be_saved_is_told_and_is_no_failure(
     def forget(_: object) -> None:
         raise RuntimeError("it slipped my mind")
 
-    monkeypatch.setattr("tutorstudent.core.rundir.flat", forget)
+    monkeypatch.setattr("tutorstudent.core.files.rundir.flat", forget)
     result = call(files["alone"], "--runs", 1, "--decisions", 5, "--out", tmp_path / "out")
     assert 0 == result.exit_code, result.output
     told = " ".join(result.output.split())
@@ -139,10 +139,10 @@ def test_every_option_has_a_help_text() -> None:
 
 
 def test_a_missing_extra_is_named_with_its_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extras, "find_spec", lambda module: None if module == "joblib" else object())
+    monkeypatch.setattr(backends, "find_spec", lambda module: None if module == "joblib" else object())
     with pytest.raises(PipelineError, match=r"needs joblib; install it with: pip install 'tutorstudent\[study\]'"):
-        extras.check_extras()
-    extras.check_extras(("matplotlib",))
+        backends.check_extras()
+    backends.check_extras(("matplotlib",))
 
 
 def test_the_command_can_be_imported_without_the_extras() -> None:
@@ -150,7 +150,7 @@ def test_the_command_can_be_imported_without_the_extras() -> None:
     import sys
 
     program = (
-        "import sys; import tutorstudent.study.command; "
+        "import sys; import tutorstudent.command.compare; "
         "print([m for m in ('matplotlib', 'joblib', 'scipy', 'pybullet', 'sklearn') if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.study.made import made
-from tutorstudent.study.comparisons import Family, families, to_the_controls, to_the_tutor
-from tutorstudent.study.results import Study
-from tutorstudent.study.significance import holm
+from tutorstudent.study.numbers.comparisons import Family, families, to_the_controls, to_the_tutor
+from tutorstudent.study.numbers.significance import holm
+from tutorstudent.study.runs.results import Study
 
 FOUND = {
     "alone": [8.0, 10.0, 12.0, 9.0],

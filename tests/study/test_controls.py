@@ -11,10 +11,10 @@ from typing import Any
 
 import pytest
 
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import run_pipeline
 from tutorstudent.study import Plan, Variant
-from tutorstudent.study.resolving import reread
+from tutorstudent.study.plans.resolving import reread
 
 Planned = Callable[..., Plan]
 
@@ -66,7 +66,7 @@ def test_a_ramp_looks_at_what_the_student_looks_at(planned: Planned) -> None:
 PROGRAM = """\
 import sys
 from pathlib import Path
-from tutorstudent.core.registry import Registry
+from tutorstudent.core.files.registry import Registry
 from tutorstudent.study import Request, make_plan, read_pipelines, run_plan
 registry = Registry.discover()
 plan = make_plan(Request(read_pipelines([Path(sys.argv[1])], registry), 1, decisions=20, search_runs=1), registry)

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tutorstudent.core.recording import Arrays
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import run_pipeline
-from tutorstudent.study.curves import counted, entered, event, harmed, level, matched, places, thinned, total
-from tutorstudent.study.requests import read_pipelines
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.study.numbers.curves import counted, entered, event, harmed, level, matched, places, thinned, total
+from tutorstudent.study.plans.requests import read_pipelines
 
 
 @pytest.mark.parametrize("name", ["full", "streamlined", "alone"])

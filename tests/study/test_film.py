@@ -8,16 +8,15 @@ import numpy as np
 import pytest
 from PIL import Image, ImageColor, ImageSequence
 
-from tutorstudent.core.recording import Arrays
-from tutorstudent.core.world import Sketch
-from tutorstudent.study.cinema import film_gallery
-from tutorstudent.study.film import DECISIONS, FRAME_MS, FRAMES, film
-from tutorstudent.study.maps import level_scale
-from tutorstudent.study.palette import HARM, MAP_COLOURS
-from tutorstudent.study.plan import Environment, Variant
-from tutorstudent.study.screen import HIGHEST_PX, WIDTH_PX, stage, view
-from tutorstudent.study.shots import shot
-from tutorstudent.study.traces import Measures, Traces
+from tutorstudent.core.roles.world import Sketch
+from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.study.numbers.traces import Measures, Traces
+from tutorstudent.study.pictures.film import DECISIONS, FRAME_MS, FRAMES, film
+from tutorstudent.study.pictures.galleries import film_gallery
+from tutorstudent.study.pictures.maps import level_scale
+from tutorstudent.study.pictures.palette import HARM, MAP_COLOURS
+from tutorstudent.study.pictures.shots import HIGHEST_PX, WIDTH_PX, shot, stage, view
+from tutorstudent.study.plans.plan import Environment, Variant
 
 ROOM = Sketch(
     [([(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0)], "black"), ([(3.0, 1.0), (3.4, 1.0), (3.4, 1.4)], "red")],

@@ -9,12 +9,12 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tutorstudent.study.gains import Gains, Outcome, Row, gains
-from tutorstudent.study.labels import Box, placed
-from tutorstudent.study.palette import Palette
-from tutorstudent.study.plan import Environment, Variant
-from tutorstudent.study.scatter import DISC, RING, scatter
-from tutorstudent.study.traces import Measures, Trace, Traces
+from tutorstudent.study.numbers.gains import Gains, Outcome, Row, gains
+from tutorstudent.study.numbers.traces import Measures, Trace, Traces
+from tutorstudent.study.pictures.labels import Box, placed
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.pictures.scatter import DISC, RING, scatter
+from tutorstudent.study.plans.plan import Environment, Variant
 
 SEEDS = (4, 5, 6)
 HARM = "collided decisions"

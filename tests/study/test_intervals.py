@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import binomtest, bootstrap
 
-from tutorstudent.study.intervals import RESAMPLES, Interval, bca, wilson
+from tutorstudent.study.numbers.intervals import RESAMPLES, Interval, bca, wilson
 
 LOPSIDED = (0.0, 0.0, 1.0, 0.0, 3.0, 0.0, 40.0, 2.0, 0.0, 5.0)
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tutorstudent.core.recording import load_arrays
-from tutorstudent.core.registry import Registry
-from tutorstudent.study.jobs import Finished, run_job, run_jobs
-from tutorstudent.study.plan import Plan
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.requests import Request, read_pipelines
-from tutorstudent.study.results import read_study, write_csv
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.running.arrays import load_arrays
+from tutorstudent.study.plans.plan import Plan
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, read_pipelines
+from tutorstudent.study.runs.jobs import Finished, run_job, run_jobs
+from tutorstudent.study.runs.results import read_study, write_csv
 
 PIONEER = """\
 decisions: 40
@@ -104,7 +104,7 @@ def forget(_: object) -> None:
 def test_a_job_that_cannot_save_what_it_learned_has_not_failed_and_says_so(
     files: dict[str, Path], registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tutorstudent.core.rundir.flat", forget)
+    monkeypatch.setattr("tutorstudent.core.files.rundir.flat", forget)
     plan = plan_of(files["full"], registry, runs=1)
     (first, *_) = finished = list(run_jobs(plan.jobs(), tmp_path, 1))
     assert {""} == {item.problem for item in finished}

@@ -7,9 +7,9 @@ import re
 import pytest
 
 from tests.study.test_tables import study
-from tutorstudent.study.latex import document, escaped, latex
-from tutorstudent.study.table import Row, Table
-from tutorstudent.study.tables import tables
+from tutorstudent.study.tables.latex import document, escaped, latex
+from tutorstudent.study.tables.table import Row, Table
+from tutorstudent.study.tables.tables import tables
 
 SPECIAL = "\\ { } $ & # ^ _ ~ % < > | \" ' ` [ ] ± é"
 HOSTILE = Table(

@@ -8,14 +8,14 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tutorstudent.core.recording import Arrays
-from tutorstudent.core.world import Sketch
-from tutorstudent.study.atlas import harm_gallery, way_gallery
-from tutorstudent.study.harms import harm_map, harms
-from tutorstudent.study.maps import way_map, way_pieces
-from tutorstudent.study.palette import Palette
-from tutorstudent.study.plan import Environment, Variant
-from tutorstudent.study.traces import Measures, Trace, Traces
+from tutorstudent.core.roles.world import Sketch
+from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.study.numbers.traces import Measures, Trace, Traces
+from tutorstudent.study.pictures.galleries import harm_gallery, way_gallery
+from tutorstudent.study.pictures.harms import harm_map, harms
+from tutorstudent.study.pictures.maps import way_map, way_pieces
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.plans.plan import Environment, Variant
 
 SKETCH = Sketch([([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)], "grey")], [((1.0, 0.5), 0.2, "red")], [(0.1, 0.2, 3.0, "x")])
 NASTY = '<b>"&x'

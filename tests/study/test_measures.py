@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.study.measures import Measure, harm, per_decisions, per_time, per_way
-from tutorstudent.study.results import Run
+from tutorstudent.study.numbers.measures import Measure, harm, per_decisions, per_time, per_way
+from tutorstudent.study.runs.results import Run
 
 
 def run(seed: int = 0, **summary: float) -> Run:

@@ -10,26 +10,26 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.world import Sketch
-from tutorstudent.study.head import head_html
-from tutorstudent.study.jobs import run_jobs
-from tutorstudent.study.levels import Level, Searched
-from tutorstudent.study.maps import _way, level_scale, way_map
-from tutorstudent.study.media import html
-from tutorstudent.study.page import page
-from tutorstudent.study.palette import Palette
-from tutorstudent.study.plan import Plan, Variant
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.report import write_report
-from tutorstudent.study.requests import Request, read_pipelines, read_variation
-from tutorstudent.study.results import Study
-from tutorstudent.study.search_table import TITLE, level_colours_by_name, search_table
-from tutorstudent.study.sketches import load_sketch, save_sketch
-from tutorstudent.study.strips import strip
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles.world import Sketch
+from tutorstudent.study.page.head import head_html
+from tutorstudent.study.page.page import page
+from tutorstudent.study.page.report import write_report
+from tutorstudent.study.pictures.maps import _way, level_scale, way_map
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.pictures.strips import strip
+from tutorstudent.study.plans.constant_level import Level, Searched
+from tutorstudent.study.plans.plan import Plan, Variant
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, read_pipelines, read_variation
+from tutorstudent.study.runs.jobs import run_jobs
+from tutorstudent.study.runs.results import Study
+from tutorstudent.study.runs.sketches import load_sketch, save_sketch
+from tutorstudent.study.runs.timing import Spent, save_timing
 from tutorstudent.study.studies import begin
-from tutorstudent.study.tables import CONTROLS
-from tutorstudent.study.timing import Spent, save_timing
+from tutorstudent.study.tables.media import html
+from tutorstudent.study.tables.search_table import TITLE, level_colours_by_name, search_table
+from tutorstudent.study.tables.tables import CONTROLS
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tutorstudent.study.pairs import Pairs, paired
+from tutorstudent.study.numbers.pairs import Pairs, paired
 
 
 def pairs(ours: list[float], theirs: list[float]) -> Pairs:

@@ -9,10 +9,10 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tutorstudent.study.charts import Chart, across, upward
-from tutorstudent.study.palette import Palette
-from tutorstudent.study.panels import Bundle, panels
-from tutorstudent.study.plan import Variant
+from tutorstudent.study.pictures.charts import Chart, across, upward
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.pictures.panels import Bundle, panels
+from tutorstudent.study.plans.plan import Variant
 
 NASTY = '<i>"&x'
 PALETTE = Palette([Variant(name, "", False, {}, {}) for name in ("a", NASTY)])

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from tutorstudent.core.errors import ContractError, PipelineError, TutorStudentError
-from tutorstudent.core.registry import Registry
-from tutorstudent.study.plan import Plan, Variant
-from tutorstudent.study.planfile import load_plan, save_plan
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.requests import Request, read_pipelines, read_setting, read_variation
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError
+from tutorstudent.study.plans.plan import Plan, Variant
+from tutorstudent.study.plans.planfile import load_plan, save_plan
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, read_pipelines, read_setting, read_variation
 
 CONTROLS = {"tutor-alone", "blind", "ramp", "random"}
 

@@ -23,7 +23,7 @@ def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
 def test_importing_the_study_imports_no_extra() -> None:
     extras = "('matplotlib', 'joblib', 'scipy', 'pybullet', 'sklearn', 'distributed')"
     program = (
-        "import sys; import tutorstudent.study, tutorstudent.study.command; "
+        "import sys; import tutorstudent.study, tutorstudent.command.compare; "
         f"print([m for m in {extras} if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from tests.study.made import made
-from tutorstudent.study.controls import CONSTANT
-from tutorstudent.study.head import head_html
-from tutorstudent.study.levels import Level, Searched
-from tutorstudent.study.palette import Palette
-from tutorstudent.study.remarks import OWN_OBSERVER, goal_line, remarks
-from tutorstudent.study.results import Failure, Study
+from tutorstudent.study.page.head import head_html
+from tutorstudent.study.page.remarks import OWN_OBSERVER, goal_line, remarks
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.plans.constant_level import Level, Searched
+from tutorstudent.study.plans.controls import CONSTANT
+from tutorstudent.study.runs.results import Failure, Study
 
 
 def counting(*attractors: float) -> Study:

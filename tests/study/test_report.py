@@ -10,16 +10,15 @@ import pytest
 
 from tests.study.made import made
 from tests.study.test_latex import body, check
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.registry import Registry
-from tutorstudent.study.comparisons import families
-from tutorstudent.study.extras import check_extras
-from tutorstudent.study.jobs import run_jobs
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.report import write_report
-from tutorstudent.study.requests import Request, read_pipelines
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.study.numbers.comparisons import HEADER, families, write_differences
+from tutorstudent.study.page.report import write_report
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, read_pipelines
+from tutorstudent.study.runs.backends import check_extras
+from tutorstudent.study.runs.jobs import run_jobs
 from tutorstudent.study.studies import begin
-from tutorstudent.study.tidy import HEADER, write_differences
 
 FILES = {"results.csv", "differences.csv", "table.md", "tables.tex"}
 
@@ -27,7 +26,7 @@ FILES = {"results.csv", "differences.csv", "table.md", "tables.tex"}
 @pytest.fixture(autouse=True)
 def no_page(monkeypatch: pytest.MonkeyPatch) -> None:
     """The page has tests of its own, and its pictures take their time."""
-    monkeypatch.setattr("tutorstudent.study.report.page", lambda study: "")
+    monkeypatch.setattr("tutorstudent.study.page.report.page", lambda study: "")
 
 
 @pytest.fixture
@@ -105,6 +104,8 @@ def test_a_study_without_runs_has_a_header_only(tmp_path: Path) -> None:
 
 
 def test_a_report_without_scipy_is_refused_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tutorstudent.study.extras.find_spec", lambda name: None if name == "scipy" else object())
+    monkeypatch.setattr(
+        "tutorstudent.study.runs.backends.find_spec", lambda name: None if name == "scipy" else object()
+    )
     with pytest.raises(PipelineError, match=r"needs scipy; install it with: pip install 'tutorstudent\[study\]'"):
         check_extras()

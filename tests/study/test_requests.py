@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.registry import Registry
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.requests import Request, read_pipelines, read_setting, read_variation, slug
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, read_pipelines, read_setting, read_variation, slug
 
 
 @pytest.mark.parametrize(

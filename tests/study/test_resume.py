@@ -12,10 +12,10 @@ from typer.testing import CliRunner
 
 from tests.study.conftest import results
 from tests.study.test_command import app
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.files.durable import alone, remove_partial, whole_folder, write_whole
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Study, load_plan, read_study, run_plan, save_plan
-from tutorstudent.study import jobs as jobs_module
-from tutorstudent.study.durable import alone, remove_partial, whole_folder, write_whole
+from tutorstudent.study.runs import jobs as jobs_module
 
 Planned = Callable[..., Plan]
 

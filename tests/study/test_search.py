@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from tests.study.conftest import results
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.registry import Registry
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Search, Setting, read_study, run_plan
-from tutorstudent.study.levels import BEST, LEVELS, Level, Searched, best, save_searched, settled
-from tutorstudent.study.searching import find_levels
+from tutorstudent.study.plans.constant_level import BEST, LEVELS, Level, Searched, best, save_searched, settled
+from tutorstudent.study.runs.searching import find_levels
 
 Planned = Callable[..., Plan]
 
@@ -270,7 +270,7 @@ def test_a_table_that_was_removed_is_made_again(planned: Planned, folder: Path) 
 
 
 def test_a_table_can_be_read_again(folder: Path) -> None:
-    from tutorstudent.study.levels import load_searched
+    from tutorstudent.study.plans.constant_level import load_searched
 
     (folder / "search").mkdir()
     searched = Searched("turns", 0.01, (7, 8), (level(0, None, None, runs=0), level(1, 2.5, 0.125)))

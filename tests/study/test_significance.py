@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.stats import permutation_test
 
-from tutorstudent.study.significance import DRAWS, EXACT_UP_TO, fewest_pairs, holm, sign_flip
+from tutorstudent.study.numbers.significance import DRAWS, EXACT_UP_TO, fewest_pairs, holm, sign_flip
 
 
 def by_counting(differences: tuple[float, ...]) -> float:

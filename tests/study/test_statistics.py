@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import trim_mean
 
-from tutorstudent.study.statistics import interquartile_mean, spread
+from tutorstudent.study.numbers.statistics import interquartile_mean, spread
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -9,11 +9,11 @@ import pytest
 from rich.console import Console
 
 from tests.study.made import made
-from tutorstudent.study.cells import heavy_tailed, number, probability, typical
-from tutorstudent.study.media import html, markdown, terminal
-from tutorstudent.study.results import Failure, Study
-from tutorstudent.study.table import Row, Table
-from tutorstudent.study.tables import digest_table, runs_table, tables
+from tutorstudent.study.runs.results import Failure, Study
+from tutorstudent.study.tables.cells import heavy_tailed, number, probability, typical
+from tutorstudent.study.tables.media import html, markdown, terminal
+from tutorstudent.study.tables.table import Row, Table
+from tutorstudent.study.tables.tables import digest_table, runs_table, tables
 
 FOUND = {"alone": [8.0, 10.0, 12.0], "2A": [20.0, 30.0, 25.0], "ramp": [20.0, 22.0, 18.0]}
 COLLIDED = {"alone": [0.0, 0.0, 0.0], "2A": [4.0, 0.0, 305.0], "ramp": [1.0, 1.0, 1.0]}

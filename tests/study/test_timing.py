@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from tutorstudent.study import Finished, Job, Plan, read_study, run_plan
-from tutorstudent.study.progress import shown
-from tutorstudent.study.timing import Spent, load_timing, save_timing
+from tutorstudent.study.runs.progress import shown
+from tutorstudent.study.runs.timing import Spent, load_timing, save_timing
 
 
 def test_a_study_took_what_its_runs_and_sittings_took(planned: Callable[..., Plan], folder: Path) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import run_pipeline, write_run
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import run_pipeline, write_run
 from tutorstudent.study import Request, make_plan
 
 

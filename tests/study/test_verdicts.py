@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.study.made import made
-from tutorstudent.study.intervals import Interval, bca
-from tutorstudent.study.results import Study
-from tutorstudent.study.verdicts import MARGIN, Verdict, judgements, verdict
+from tutorstudent.study.numbers.intervals import Interval, bca
+from tutorstudent.study.numbers.verdicts import MARGIN, Verdict, judgements, verdict
+from tutorstudent.study.runs.results import Study
 
 ENOUGH = 100_000
 

@@ -13,11 +13,11 @@ import pytest
 from typer.testing import CliRunner
 
 import tutorstudent
-from tutorstudent.cli import app
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.pipeline import KEYS, Pipeline
-from tutorstudent.core.registry import ROLES, Registry
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.command.program import app
+from tutorstudent.core.files.pipeline import KEYS, Pipeline
+from tutorstudent.core.files.registry import ROLES, Registry
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.templates.naming import names_of
 from tutorstudent.templates.writing import contents, write_plugin
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.interfaces import Student, Tutor
-from tutorstudent.core.proposals import LevelProposal
-from tutorstudent.core.records import Lesson, Moment
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.roles.interfaces import Student, Tutor
+from tutorstudent.core.words.proposals import LevelProposal
+from tutorstudent.core.words.records import Lesson, Moment
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.evaluators import Conditions
 from tutorstudent.plugins.selectors import SameKind

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.leaves import Condition
-from tutorstudent.core.limits import Limits
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.controls import Silent
 from tutorstudent.plugins.evaluators import Conditions

@@ -11,10 +11,10 @@ from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.roles import USAGES
 from tutorstudent.checks.subject import Subject
 from tutorstudent.checks.usage import Usage
-from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import listing
-from tutorstudent.core.world import World
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import listing
 
 Function = Callable[[Usage], str | None]
 """A check: a function of how the part is used. Its name is the check's, its docstring what the check is about."""

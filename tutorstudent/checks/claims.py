@@ -5,10 +5,10 @@ from __future__ import annotations
 import inspect
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component
-from tutorstudent.core.records import Moment, StateT
-from tutorstudent.core.registry import ROLES
+from tutorstudent.core.files.registry import ROLES
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.records import Moment, StateT
 
 
 def state_claim(cls: type[Component]) -> Any:
@@ -16,7 +16,7 @@ def state_claim(cls: type[Component]) -> Any:
 
     A TypeVar means that it is made for any, None that nobody says.
 
-    >>> from tutorstudent.core.interfaces import Tutor
+    >>> from tutorstudent.core.roles.interfaces import Tutor
     >>> class Pid(Tutor[float, Any]): ...
     >>> state_claim(Pid)
     <class 'float'>

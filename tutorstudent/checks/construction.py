@@ -9,9 +9,9 @@ from pydantic import BaseModel
 
 from tutorstudent.checks.outcome import CheckFailed, CheckSkipped, expect, said
 from tutorstudent.checks.usage import Usage
-from tutorstudent.core.component import part_role
-from tutorstudent.core.errors import PipelineError, TutorStudentError, listing
-from tutorstudent.core.plainvalues import plain
+from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.roles.part_options import part_role
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError, listing
 
 
 def is_described(usage: Usage) -> None:

@@ -10,9 +10,10 @@ from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
 from tutorstudent.checks.subject import SEED, family
 from tutorstudent.checks.usage import Usage, answers, fresh
-from tutorstudent.core.component import Learned, stream
-from tutorstudent.core.errors import TutorStudentError, listing
-from tutorstudent.core.recording import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.roles.binding import stream
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.words.errors import TutorStudentError, listing
 
 
 def learned_state_is_plain(usage: Usage) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 from tutorstudent.checks.likeness import damaged, snapshot
 from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
 from tutorstudent.checks.usage import Question, Usage, answers, fresh
-from tutorstudent.core.interfaces import Tutor
+from tutorstudent.core.roles.interfaces import Tutor
 
 BROKEN_READINGS = (math.nan, math.inf, -math.inf)
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 from pydantic import ValidationError
 
 from tutorstudent.checks.outcome import CheckSkipped
-from tutorstudent.core.actions import Action, AmplificationMap, ComponentSpec, component
+from tutorstudent.core.words.actions import Action, AmplificationMap, ComponentSpec, component
 
 SHARES = (0.25, 0.0, 0.5, 1.0)
 """How far towards its bound an amplified component is set."""

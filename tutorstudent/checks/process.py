@@ -13,12 +13,12 @@ from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.roles import USAGES
 from tutorstudent.checks.subject import Subject
 from tutorstudent.checks.usage import Usage, answers, fresh
-from tutorstudent.core.assembly import Assembler
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import TutorStudentError
-from tutorstudent.core.plainvalues import plain
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.yamlfile import Document
+from tutorstudent.core.files.assembly import Assembler
+from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.errors import TutorStudentError
 
 TIME_LIMIT_S = 120
 

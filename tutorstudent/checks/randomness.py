@@ -12,8 +12,9 @@ from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.subject import SEED, family
 from tutorstudent.checks.usage import Usage, answers, close, fresh
-from tutorstudent.core.component import Component, stream
-from tutorstudent.core.world import World
+from tutorstudent.core.roles.binding import stream
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.roles.world import World
 
 _GENERATORS = (np.random.Generator, np.random.RandomState, random.Random)
 

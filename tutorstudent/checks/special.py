@@ -13,7 +13,7 @@ from tutorstudent.checks.likeness import snapshot
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.subject import SEED
 from tutorstudent.checks.usage import Usage, answers, close, fresh
-from tutorstudent.core.proposals import KindProposal
+from tutorstudent.core.words.proposals import KindProposal
 
 
 def says_back_what_it_was_told(usage: Usage) -> None:

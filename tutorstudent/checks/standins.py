@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
-from tutorstudent.core.leaves import Change, Condition
-from tutorstudent.core.proposals import LevelProposal
-from tutorstudent.core.records import Decision, GradedAction, Lesson, Moment, Outcome, Turn
-from tutorstudent.core.world import Step, Summary, World
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
+from tutorstudent.core.roles.leaves import Change, Condition
+from tutorstudent.core.roles.world import Step, Summary, World
+from tutorstudent.core.words.proposals import LevelProposal
+from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome, Turn
 
 
 class Repeater(Tutor[float, Any]):

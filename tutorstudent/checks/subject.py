@@ -25,12 +25,13 @@ from typing import Any, TypeVar
 from tutorstudent.checks.claims import action_claim, state_claim
 from tutorstudent.checks.motion import Motion, example_actions
 from tutorstudent.checks.outcome import CheckSkipped
-from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Binding, Component
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.records import StateT
-from tutorstudent.core.registry import ROLES
-from tutorstudent.core.world import World
+from tutorstudent.core.files.registry import ROLES
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.records import StateT
 
 SEED = 7
 FEWEST = 12

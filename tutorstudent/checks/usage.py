@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from tutorstudent.checks.likeness import Unreadable
 from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, said
 from tutorstudent.checks.subject import SEED, Subject
-from tutorstudent.core.component import EnginePart
+from tutorstudent.core.roles.part import EnginePart
 
 Question = tuple[Any, ...]
 """What a part is handed at once."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from tutorstudent.core import component
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Part
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import Amplifier
-from tutorstudent.core.leaves import Change
-from tutorstudent.core.records import GradedAction
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import Amplifier
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.records import GradedAction
 from tutorstudent.plugins.changes import Additive
 
 
@@ -17,7 +18,7 @@ class Never(Amplifier[ActionT]):
 
     name = "never"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """How far a level moves a component."""
 
         amount: float = Field(default=0.1, gt=0, description="amplification per level, in units of the scale (Table 1)")

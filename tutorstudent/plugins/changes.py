@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Change
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.roles.part import Component
 
 
 class Additive(Change):

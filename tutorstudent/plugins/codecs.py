@@ -6,13 +6,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import ContractError, listing, suggestion
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Codec, Vector
-from tutorstudent.core.proposals import KindProposal
-from tutorstudent.core.records import GradedAction
-from tutorstudent.plugins.levels import GradeCode, GradeOptions, finite_values, from_bits, to_bits
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Codec, Vector
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.proposals import KindProposal
+from tutorstudent.core.words.records import GradedAction
+from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, finite_values, from_bits, to_bits
 
 
 class KindLevelAmpbit(Codec[KindProposal]):

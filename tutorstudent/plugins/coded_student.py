@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, Any, Generic, cast
 
 import numpy as np
 
-from tutorstudent.core import component
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Field, Learned, Part
-from tutorstudent.core.errors import ContractError, PipelineError, listing
-from tutorstudent.core.interfaces import Student
-from tutorstudent.core.leaves import Codec, Encoder, Vector
-from tutorstudent.core.proposals import KindProposal, LevelProposal, Proposal, ProposalT
-from tutorstudent.core.records import Lesson, Moment, StateT
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.interfaces import Student
+from tutorstudent.core.roles.leaves import Codec, Encoder, Vector
+from tutorstudent.core.roles.part import Field, Learned
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.errors import ContractError, PipelineError, listing
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal, Proposal, ProposalT
+from tutorstudent.core.words.records import Lesson, Moment, StateT
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 
 
@@ -26,7 +27,7 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
     encoded again. A subclass says how it answers and learns in terms of numbers, and what it learned as arrays.
     """
 
-    class Options(component.Options):
+    class Options(part.Options):
         """The parts of every coded student."""
 
         encoder: Part[Encoder[Any, Any]] = Field(description="what the student sees")

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from tutorstudent.core import component
-from tutorstudent.core.component import Component, Field, Part
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Condition, condition
-from tutorstudent.core.records import StateT
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Condition, condition
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.records import StateT
 from tutorstudent.sims.pioneer.types import PioneerState
 
 
@@ -24,7 +25,7 @@ class Near(Condition[PioneerState]):
 
     name = "near"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """How near is too near."""
 
         clearance_m: float = Field(default=0.15, ge=0, description="smallest allowed sonar reading, metres")
@@ -40,7 +41,7 @@ class Near(Condition[PioneerState]):
 class _Composed(Condition[StateT]):
     """Several conditions taken as one."""
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Which conditions."""
 
         of: list[Part[Condition[Any]]] = Field(min_length=1, description="the conditions to combine")
@@ -84,7 +85,7 @@ class Not(Condition[StateT]):
 
     name = "not"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Which condition."""
 
         of: Part[Condition[Any]] = Field(description="the condition to turn round")

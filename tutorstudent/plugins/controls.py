@@ -8,15 +8,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from tutorstudent.core import component
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Part
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import Evaluator, Student
-from tutorstudent.core.judging import NO_MARGINS
-from tutorstudent.core.leaves import Encoder
-from tutorstudent.core.proposals import LevelProposal
-from tutorstudent.core.records import Decision, Lesson, Moment, Outcome, StateT
+from tutorstudent.core.deciding.judging import NO_MARGINS
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import Evaluator, Student
+from tutorstudent.core.roles.leaves import Encoder
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import LevelProposal
+from tutorstudent.core.words.records import Decision, Lesson, Moment, Outcome, StateT
 from tutorstudent.plugins.evaluators import Conditions
 
 
@@ -48,7 +49,7 @@ class Constant(Unteachable[StateT, ActionT]):
 
     name = "constant"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Which level."""
 
         level: int = Field(default=4, ge=0, description="the level, the same in every decision")
@@ -65,7 +66,7 @@ class Random(Unteachable[StateT, ActionT]):
 
     name = "random"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """From which levels."""
 
         max_level: int = Field(default=8, ge=0, description="highest level; all from 0 on are equally likely")
@@ -79,7 +80,7 @@ class Ramp(Unteachable[StateT, ActionT]):
 
     name = "ramp"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """What has to stay the same, and where the ramp ends."""
 
         encoder: Part[Encoder[Any, Any]] | None = Field(default=None, description="inputs; none: the kind only")
@@ -108,7 +109,7 @@ class Blind(Evaluator[StateT, ActionT]):
 
     name = "blind"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Whose eyes are closed."""
 
         evaluator: Part[Evaluator[Any, Any]] = Field(default_factory=Conditions, description="the evaluator to blind")

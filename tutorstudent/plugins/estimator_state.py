@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.errors import ContractError, listing
+from tutorstudent.core.words.errors import ContractError, listing
 from tutorstudent.plugins.learned import take_arrays
 
 Number = bool | int | float | np.number | np.bool

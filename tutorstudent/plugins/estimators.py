@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.errors import PipelineError, listing, suggestion
+from tutorstudent.core.words.errors import PipelineError, listing, suggestion
 
 _EXAMPLES = "for example sklearn.neural_network.MLPRegressor or sklearn.linear_model.SGDRegressor"
 

@@ -6,12 +6,13 @@ from typing import Any
 
 from pydantic import model_validator
 
-from tutorstudent.core import component
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Part
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import Evaluator
-from tutorstudent.core.records import Decision, GradedAction, Lesson, Outcome, StateT
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import Evaluator
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Outcome, StateT
 
 
 class Conditions(Evaluator[StateT, ActionT]):
@@ -41,7 +42,7 @@ class Conditions(Evaluator[StateT, ActionT]):
         return Lesson(decision.moment, target, decision.resulting.level, decision.executed, outcome)
 
 
-class IntervalOptions(component.Options):
+class IntervalOptions(part.Options):
     """Which decisions are taught about, and how."""
 
     begin: int = Field(default=0, ge=0, description="first decision that is taught about, counted from 0")

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from tutorstudent.core.component import Learned
-from tutorstudent.core.errors import ContractError, listing, suggestion
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
 
 Shape = tuple[int | None, ...]
 """The lengths of an array's axes; None allows any length."""

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core import component
-from tutorstudent.core.component import Component, Field
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Encoder, Vector
-from tutorstudent.core.records import Moment
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Encoder, Vector
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.records import Moment
 
 
 class Ranges(Encoder[Any, Any]):
@@ -29,7 +29,7 @@ class Ranges(Encoder[Any, Any]):
 
     name = "ranges"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """The ranges of the state's numbers."""
 
         ranges: list[tuple[float, float]] = Field(

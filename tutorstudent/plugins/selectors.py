@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.interfaces import ActionSelector
-from tutorstudent.core.proposals import KindProposal
-from tutorstudent.core.records import GradedAction
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.interfaces import ActionSelector
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import KindProposal
+from tutorstudent.core.words.records import GradedAction
 
 
 class SameKind(ActionSelector[ActionT, KindProposal]):

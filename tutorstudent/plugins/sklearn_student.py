@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Generic
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Field, Learned
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Vector
-from tutorstudent.core.proposals import ProposalT
-from tutorstudent.core.records import StateT
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Vector
+from tutorstudent.core.roles.part import Component, Field, Learned
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import ProposalT
+from tutorstudent.core.words.records import StateT
 from tutorstudent.plugins import estimators
 from tutorstudent.plugins.coded_student import CodedStudent, untaught
 from tutorstudent.plugins.estimator_state import export_state, fill_state

@@ -6,13 +6,13 @@ from typing import Generic
 
 import numpy as np
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Component, Learned
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.core.leaves import Vector
-from tutorstudent.core.proposals import ProposalT
-from tutorstudent.core.records import StateT
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.leaves import Vector
+from tutorstudent.core.roles.part import Component, Learned
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.proposals import ProposalT
+from tutorstudent.core.words.records import StateT
 from tutorstudent.plugins.coded_student import CodedStudent, untaught
 from tutorstudent.plugins.learned import take_arrays
 

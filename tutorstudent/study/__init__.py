@@ -27,18 +27,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tutorstudent.study.backends import Backend
-from tutorstudent.study.jobs import Finished, run_jobs
-from tutorstudent.study.levels import Searched
-from tutorstudent.study.plan import Environment, Job, Plan, Search, Variant
-from tutorstudent.study.planfile import load_plan, save_plan
-from tutorstudent.study.planning import make_plan
-from tutorstudent.study.requests import Request, Setting, read_pipelines, read_setting, read_variation
-from tutorstudent.study.results import Failure, Run, Study, pending, read_runs, read_study
+from tutorstudent.study.plans.constant_level import Searched
+from tutorstudent.study.plans.plan import Environment, Job, Plan, Search, Variant
+from tutorstudent.study.plans.planfile import load_plan, save_plan
+from tutorstudent.study.plans.planning import make_plan
+from tutorstudent.study.plans.requests import Request, Setting, read_pipelines, read_setting, read_variation
+from tutorstudent.study.runs.backends import Backend
+from tutorstudent.study.runs.jobs import Finished, run_jobs
+from tutorstudent.study.runs.results import Failure, Run, Study, pending, read_runs, read_study
 from tutorstudent.study.studies import run_plan, run_study
 
 if TYPE_CHECKING:
-    from tutorstudent.study.report import write_report
+    from tutorstudent.study.page.report import write_report
 
 __all__ = [
     "Backend",
@@ -72,7 +72,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name == "write_report":  # matplotlib is an extra, and slow to import
-        from tutorstudent.study.report import write_report
+        from tutorstudent.study.page.report import write_report
 
         return write_report
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -6,27 +6,26 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.rundir import writing
-from tutorstudent.study.backends import LOKY, Backend, check_backend
-from tutorstudent.study.differences import differences
-from tutorstudent.study.durable import PARTIAL, alone, remove_partial
-from tutorstudent.study.jobs import run_jobs
-from tutorstudent.study.levels import FOLDER, settled
-from tutorstudent.study.plan import Job, Plan
-from tutorstudent.study.planfile import FILE, as_data, check_versions, load_plan, save_plan
-from tutorstudent.study.progress import shown
-from tutorstudent.study.resolving import reread, sketch_of
-from tutorstudent.study.results import Study, pending, read_study
-from tutorstudent.study.searching import find_levels, keep_levels
-from tutorstudent.study.sketches import save_sketch
-from tutorstudent.study.timing import Sitting
+from tutorstudent.core.files.durable import PARTIAL, alone, remove_partial
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import writing
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.study.plans.constant_level import FOLDER, settled
+from tutorstudent.study.plans.plan import Job, Plan
+from tutorstudent.study.plans.planfile import FILE, as_data, check_versions, differences, load_plan, save_plan
+from tutorstudent.study.plans.resolving import reread, sketch_of
+from tutorstudent.study.runs.backends import LOKY, Backend, check_backend
+from tutorstudent.study.runs.jobs import run_jobs
+from tutorstudent.study.runs.progress import shown
+from tutorstudent.study.runs.results import Study, pending, read_study
+from tutorstudent.study.runs.searching import find_levels, keep_levels
+from tutorstudent.study.runs.sketches import save_sketch
+from tutorstudent.study.runs.timing import Sitting
 
 
 def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
     """Run a plan as ``tutorstudent compare`` does: `run_plan`, then the tables and the page."""
-    from tutorstudent.study.report import write_report  # matplotlib is an extra
+    from tutorstudent.study.page.report import write_report  # matplotlib is an extra
 
     run_plan(plan, folder, workers, backend)
     return write_report(folder)

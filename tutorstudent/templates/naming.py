@@ -8,8 +8,8 @@ import re
 from importlib import metadata
 from typing import NamedTuple
 
-from tutorstudent.core.errors import PipelineError, listing, suggestion
-from tutorstudent.core.registry import ROLES, Registry
+from tutorstudent.core.files.registry import ROLES, Registry
+from tutorstudent.core.words.errors import PipelineError, listing, suggestion
 
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 

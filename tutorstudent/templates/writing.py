@@ -7,8 +7,8 @@ from pathlib import Path
 from string import Template
 
 import tutorstudent
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.rundir import writing
+from tutorstudent.core.files.rundir import writing
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.templates.naming import Names
 from tutorstudent.templates.pipelines import slots
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.sims.gym import GymState
 from tutorstudent_controllers.box2d.bits import ObservationBits
 from tutorstudent_controllers.box2d.lander import LanderHeuristic, Thrust

@@ -9,7 +9,7 @@ import pytest
 from simple_pid import PID
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent_controllers.pid.parts import Approach, Overshoot
 from tutorstudent_controllers.pid.plate import Plate
 from tutorstudent_controllers.pid.state import Heat, PlateState

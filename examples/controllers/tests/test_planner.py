@@ -11,7 +11,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
 import tutorstudent as ts
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent_controllers.planner.grid import Grid
 from tutorstudent_controllers.planner.pursuit import target
 from tutorstudent_controllers.planner.search import STEPS, shortest_path

@@ -21,7 +21,9 @@ COMMANDS = ("reproduce", "intervals", "transplant", "heldout")
 @pytest.fixture
 def plain_report(monkeypatch: pytest.MonkeyPatch) -> None:
     """The page with its pictures costs more than all runs together, and has tests of its own."""
-    monkeypatch.setattr("tutorstudent.study.report.write_report", lambda folder: read_study(folder, load_plan(folder)))
+    monkeypatch.setattr(
+        "tutorstudent.study.page.report.write_report", lambda folder: read_study(folder, load_plan(folder))
+    )
 
 
 @pytest.fixture

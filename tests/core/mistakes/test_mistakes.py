@@ -9,9 +9,9 @@ import pytest
 
 from tests.core.mistakes.table import BASE, KEYS, PARTS, SYNTAX, VALUES, WIRING, Mistake
 from tests.core.toys import toy_registry
-from tutorstudent.core.errors import PipelineError, TutorStudentError
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.settings import read_settings
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.settings import read_settings
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 REGISTRY = toy_registry()
 

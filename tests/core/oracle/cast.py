@@ -9,11 +9,11 @@ from tests.core.oracle.judge import Said, said
 from tests.core.oracle.learner import Numbers, PlainKinds, PlainLevels, Plotted, PlottedStudent
 from tests.core.oracle.plot import Plot
 from tests.core.oracle.shapes import LAWS, Shape
-from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Field, Options
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.leaves import Change, Condition
-from tutorstudent.core.records import Decision, GradedAction, Outcome
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.leaves import Change, Condition
+from tutorstudent.core.roles.part import Field, Options
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.records import Decision, GradedAction, Outcome
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.evaluators import Conditions
 from tutorstudent.plugins.selectors import SameKind

@@ -10,8 +10,8 @@ import numpy as np
 
 from tests.core.oracle.acts import HUGE, INF, NAN, Act, Behaviour, returns
 from tests.core.oracle.lies import Agreeable, LyingFloat, LyingInt, LyingStr, Touchy
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import GradedAction
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import GradedAction
 from tutorstudent.sims.pioneer.types import DriveAction
 
 

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from tests.core.oracle.shapes import SHAPES, Shape
-from tutorstudent.core.actions import Action
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.grading import Graded
-from tutorstudent.core.limits import Limits
-from tutorstudent.core.records import GradedAction
-from tutorstudent.core.rendering import Permitted
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.grading import Graded
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.deciding.rendering import Permitted
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.records import GradedAction
 
 
 def _shape(action: Action) -> Shape:

@@ -6,11 +6,12 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from tutorstudent.core.component import Field, Options, Part
-from tutorstudent.core.interfaces import Student
-from tutorstudent.core.leaves import Codec, Encoder
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import GradedAction, Lesson, Moment
+from tutorstudent.core.roles.interfaces import Student
+from tutorstudent.core.roles.leaves import Codec, Encoder
+from tutorstudent.core.roles.part import Field, Options
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import GradedAction, Lesson, Moment
 
 
 class Plotted(Options):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Field, Options
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.interfaces import Student, Tutor
-from tutorstudent.core.leaves import Condition
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import Lesson, Moment
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.roles.interfaces import Student, Tutor
+from tutorstudent.core.roles.leaves import Condition
+from tutorstudent.core.roles.part import Field, Options
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import Lesson, Moment
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.evaluators import Conditions
 from tutorstudent.plugins.streamlined.modifier import Modifier

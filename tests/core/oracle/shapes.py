@@ -9,7 +9,7 @@ from collections.abc import Callable
 from random import Random
 from typing import ClassVar, Literal, NamedTuple
 
-from tutorstudent.core.actions import Action, AmplificationMap, component
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
 from tutorstudent.sims.pioneer.types import DriveAction
 
 INFINITY = float("inf")

@@ -13,8 +13,8 @@ from tests.core.oracle.judge import Breach, Claim, Last, Rules, Said, judge
 from tests.core.oracle.learner import Heard
 from tests.core.oracle.plot import Deed, Plot
 from tests.core.oracle.shapes import SHAPES
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.limits import Limits
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.limits import Limits
 
 MakeEngine = Callable[..., Any]
 

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from tutorstudent.core.component import Binding
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.plugins.process import ProcessTutor
 
 UNIT = {"components": {"value": {"low": -1, "high": 1}}}

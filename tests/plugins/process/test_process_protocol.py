@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import BaseModel
 
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.plugins.process.plain import plain
 from tutorstudent.plugins.process.protocol import Answer, Unreadable, check_hello, line, read_answer
 from tutorstudent.sims.pioneer.types import Blob, PioneerState

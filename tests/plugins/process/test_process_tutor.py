@@ -12,8 +12,8 @@ import pytest
 
 import tutorstudent as ts
 from tests.plugins.process.programs import UNIT, answering, python, tutor
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.plugins.process import ProcessTutor
 from tutorstudent.sims.pioneer.types import DriveAction
 

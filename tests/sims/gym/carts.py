@@ -9,9 +9,9 @@ import numpy as np
 from gymnasium.spaces import Box, Discrete
 
 import tutorstudent as ts
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.registry import Registry
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.sims.gym import GymState
 
 

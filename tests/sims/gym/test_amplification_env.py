@@ -14,8 +14,8 @@ from gymnasium.utils.env_checker import check_env
 import tutorstudent as ts
 import tutorstudent.sims.gym.envs
 from tests.sims.gym.carts import CartTutor, Torque, cart_pipeline, registry
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.yamlfile import parse_yaml
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.sims.gym.amplification_env import AmplificationEnv
 from tutorstudent.sims.gym.outside import Ahead
 

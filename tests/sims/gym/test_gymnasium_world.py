@@ -12,8 +12,8 @@ import pytest
 
 import tutorstudent as ts
 from tests.sims.gym.carts import CartEnv, Torque, cart_pipeline
-from tutorstudent.core.component import Binding
-from tutorstudent.core.rundir import run_pipeline
+from tutorstudent.core.files.rundir import run_pipeline
+from tutorstudent.core.roles.binding import Binding
 from tutorstudent.sims.gym import GymnasiumWorld, GymState
 
 

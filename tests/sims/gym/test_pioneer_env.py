@@ -11,11 +11,11 @@ from gymnasium.utils.env_checker import check_env
 
 import tutorstudent as ts
 import tutorstudent.sims.gym.envs
-from tutorstudent.core.world import Sketch
+from tutorstudent.core.roles.world import Sketch
 from tutorstudent.sims.gym.drawing import SIDE, picture
 from tutorstudent.sims.gym.pioneer_env import PioneerEnv, drive_action
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction
-from tutorstudent.sims.pioneer.world import PioneerWorld
 
 
 def test_gymnasiums_own_checks_pass_without_a_warning() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from ruamel.yaml import YAML
 
-from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 
 
 @pytest.fixture

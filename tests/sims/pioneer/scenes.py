@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tutorstudent.sims.pioneer.body import Pose
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction
-from tutorstudent.sims.pioneer.world import PioneerWorld
 
 SQUARE = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]]
 EXACT = {"sonar_noise": 0.0, "sensor_latency": 0, "stall_latency": 0}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import tutorstudent.sims.pioneer
-from tutorstudent.sims.pioneer.options import PioneerOptions
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 SCENES = Path(tutorstudent.sims.pioneer.__file__).parent / "scenes"
 

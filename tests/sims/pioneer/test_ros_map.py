@@ -12,7 +12,7 @@ import pytest
 
 from tests.sims.pioneer.scenes import EXACT, scene
 from tests.sims.pioneer.test_scenes import within
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.images import read_grey
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.mesh import area

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.sims.pioneer.scenes import SQUARE, box, robot, scene
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.layout import load_layout
 
 SCENE_KEYS = "Allowed: boxes, description, robots, side_m, units, walls."

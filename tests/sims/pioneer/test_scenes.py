@@ -10,7 +10,7 @@ import pytest
 from scipy import ndimage
 
 from tests.sims.pioneer.scenes import EXACT, box, scene
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.mesh import area
 from tutorstudent.sims.pioneer.scene_files import shipped_scenes

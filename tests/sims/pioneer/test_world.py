@@ -13,17 +13,17 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic import ValidationError
 
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
-from tutorstudent.core.component import Binding
-from tutorstudent.core.errors import ContractError, PipelineError
-from tutorstudent.core.world import World
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.sims.pioneer import bullet, tutorstudent_components
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.calls import CallLog, bound
 from tutorstudent.sims.pioneer.layout import load_layout
-from tutorstudent.sims.pioneer.options import PioneerOptions
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.scene_files import SCENES
 from tutorstudent.sims.pioneer.types import DriveAction
-from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 NUMBERS = (int, float, float | None)
 BOUNDS = [{low, high} for low in (Ge, Gt) for high in (Le, Lt)]
@@ -60,7 +60,7 @@ def test_the_same_seed_is_the_same_trial_whatever_came_before(make_world, drive)
 def test_the_same_seed_is_the_same_trial_in_another_process(make_world):
     program = (
         "from tests.sims.pioneer.test_world import trace\n"
-        "from tutorstudent.sims.pioneer.world import PioneerWorld\n"
+        "from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld\n"
         "print(trace(PioneerWorld(scene='cave-predator-prey-box', pose_jitter_m=0.2), 11))"
     )
     runs = [subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True) for _ in "ab"]
@@ -330,5 +330,5 @@ def test_the_logged_calls_can_be_made_again_without_the_world(make_world):
 
 
 def test_only_one_file_imports_pybullet():
-    assert "pybullet" not in vars(import_module("tutorstudent.sims.pioneer.world"))
+    assert "pybullet" not in vars(import_module("tutorstudent.sims.pioneer.pioneer_world"))
     assert bullet.load_pybullet() is sys.modules["pybullet"]

@@ -9,9 +9,9 @@ from typing import Any
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.roles.sound import sound_action, sound_graded, sound_number, sound_proposal
 from tutorstudent.checks.usage import Question, Usage
-from tutorstudent.core.leaves import Change
-from tutorstudent.core.proposals import KindProposal, LevelProposal
-from tutorstudent.core.records import Decision, GradedAction, Lesson, Moment, Outcome
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.words.proposals import KindProposal, LevelProposal
+from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome
 
 LEVELS = (0, 1, 3)
 BITS = (True, False)

@@ -13,7 +13,7 @@ from tutorstudent.checks.outcome import expect
 from tutorstudent.checks.roles.engine import BITS, LEVELS, moments
 from tutorstudent.checks.roles.sound import sound_number, sound_numbers, sound_proposal, sound_vector
 from tutorstudent.checks.usage import Question, Usage
-from tutorstudent.core.records import GradedAction
+from tutorstudent.core.words.records import GradedAction
 
 
 class EncoderUsage(Usage):

@@ -11,9 +11,9 @@ from tutorstudent.checks.roles.sound import sound_number
 from tutorstudent.checks.standins import engine_of, staged
 from tutorstudent.checks.subject import FEWEST, SEED
 from tutorstudent.checks.usage import Question, Usage
-from tutorstudent.core.errors import listing
-from tutorstudent.core.observers import Begin
-from tutorstudent.core.world import Step
+from tutorstudent.core.roles.world import Step
+from tutorstudent.core.running.observers import Begin
+from tutorstudent.core.words.errors import listing
 
 
 class WorldUsage(Usage):

@@ -10,10 +10,10 @@ import numpy as np
 from pydantic import ValidationError
 
 from tutorstudent.checks.outcome import CheckFailed, expect
-from tutorstudent.core.actions import Action, rebuilt
-from tutorstudent.core.errors import listing
-from tutorstudent.core.guard import Breach, received
-from tutorstudent.core.proposals import KindProposal, exact_number
+from tutorstudent.core.deciding.guard import Breach, received
+from tutorstudent.core.words.actions import Action, rebuilt
+from tutorstudent.core.words.errors import listing
+from tutorstudent.core.words.proposals import KindProposal, exact_number
 
 
 def sound_action(action: Any, cls: type[Action], what: str) -> None:

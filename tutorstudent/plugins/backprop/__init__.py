@@ -5,8 +5,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.part import Component
 from tutorstudent.plugins.backprop.network import Network
 from tutorstudent.plugins.backprop.student import BackpropStudent
 

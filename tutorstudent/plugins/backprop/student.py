@@ -6,11 +6,11 @@ from typing import Generic
 
 import numpy as np
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.component import Field, Learned
-from tutorstudent.core.leaves import Vector
-from tutorstudent.core.proposals import ProposalT
-from tutorstudent.core.records import StateT
+from tutorstudent.core.roles.leaves import Vector
+from tutorstudent.core.roles.part import Field, Learned
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import ProposalT
+from tutorstudent.core.words.records import StateT
 from tutorstudent.plugins.backprop.network import Network
 from tutorstudent.plugins.coded_student import CodedStudent
 from tutorstudent.plugins.learned import take_arrays

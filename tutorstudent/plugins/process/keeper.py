@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import time
 
-from tutorstudent.core.errors import ContractError, PipelineError
+from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.plugins.process import protocol
-from tutorstudent.plugins.process.options import ProcessOptions
+from tutorstudent.plugins.process.process_options import ProcessOptions
 from tutorstudent.plugins.process.program import Program, Trouble
 from tutorstudent.plugins.process.protocol import Answer, Unreadable
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.errors import ContractError
 
 NAN, INFINITY = "NaN", "Infinity"
 """JSON has no word for them; these strings are read by most languages' own number parsers."""

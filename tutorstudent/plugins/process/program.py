@@ -9,7 +9,7 @@ import time
 import weakref
 from subprocess import TimeoutExpired
 
-from tutorstudent.plugins.process.options import ProcessOptions
+from tutorstudent.plugins.process.process_options import ProcessOptions
 from tutorstudent.plugins.process.starting import Started, put_down, start
 
 CHUNK = 65536

@@ -6,7 +6,7 @@ import json
 import math
 from typing import Any, NamedTuple
 
-from tutorstudent.core.actions import Action, Group
+from tutorstudent.core.words.actions import Action, Group
 
 PROTOCOL = 1
 SHOWN = 120

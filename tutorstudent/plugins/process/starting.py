@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, Any, NamedTuple
 
 from tutorstudent.plugins.process import watchdog
-from tutorstudent.plugins.process.options import ProcessOptions
+from tutorstudent.plugins.process.process_options import ProcessOptions
 
 KILL_TIMEOUT_S = 10.0
 """A busy system may take its time with a process that was ended, most often a millisecond; we wait no longer."""

@@ -9,15 +9,15 @@ from typing import Any, ClassVar
 
 from pydantic import ValidationError
 
-from tutorstudent.core.actions import Action
-from tutorstudent.core.component import Component
-from tutorstudent.core.errors import ContractError, PipelineError
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.core.problems import option_problems
+from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.option_problems import option_problems
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.plugins.process import protocol
 from tutorstudent.plugins.process.keeper import Keeper
-from tutorstudent.plugins.process.options import ProcessOptions
 from tutorstudent.plugins.process.plain import plain
+from tutorstudent.plugins.process.process_options import ProcessOptions
 from tutorstudent.plugins.process.vocabulary import action_class
 
 

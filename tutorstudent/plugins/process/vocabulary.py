@@ -9,10 +9,10 @@ from typing import Any, Literal
 
 from pydantic import create_model
 
-from tutorstudent.core.actions import Action, AmplificationMap, Direction, component, vocabulary_of
-from tutorstudent.core.component import Field, Options
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.world import World
+from tutorstudent.core.roles.part import Field, Options
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.words.actions import Action, AmplificationMap, Direction, component, vocabulary_of
+from tutorstudent.core.words.errors import PipelineError
 
 
 class ComponentOptions(Options):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.part import Component
 from tutorstudent.plugins.prototype2.attractors import Attractors
 from tutorstudent.plugins.prototype2.encoders import Bits, SituationBits, Thermometer
 from tutorstudent.plugins.prototype2.tutor import Prototype2

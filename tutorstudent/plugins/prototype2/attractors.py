@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.observers import Entries
+from tutorstudent.core.running.observers import Entries
 
 
 class Attractors(Entries):

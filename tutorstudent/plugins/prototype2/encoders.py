@@ -11,10 +11,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from tutorstudent.core.leaves import Encoder, Vector
-from tutorstudent.core.records import Moment
-from tutorstudent.plugins.prototype2.options import BitThresholds, ThermometerThresholds
+from tutorstudent.core.roles.leaves import Encoder, Vector
+from tutorstudent.core.words.records import Moment
 from tutorstudent.plugins.prototype2.percept import Percept, perceive
+from tutorstudent.plugins.prototype2.planner_options import BitThresholds, ThermometerThresholds
 from tutorstudent.plugins.prototype2.rules import RULES
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
 

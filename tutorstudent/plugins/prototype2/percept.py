@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from tutorstudent.core.errors import ContractError
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.sims.pioneer.types import Blob, PioneerState
 
 PREY = "red"

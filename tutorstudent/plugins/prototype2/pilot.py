@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tutorstudent.plugins.prototype2.options import Tuning
 from tutorstudent.plugins.prototype2.percept import Percept
+from tutorstudent.plugins.prototype2.planner_options import Tuning
 from tutorstudent.plugins.prototype2.view import View
 from tutorstudent.sims.pioneer.types import DriveAction
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Generic, NamedTuple, TypeVar
 
-from tutorstudent.core.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
 
 ContextT = TypeVar("ContextT")
 CommandT = TypeVar("CommandT")

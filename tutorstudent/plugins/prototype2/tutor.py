@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.interfaces import Tutor
-from tutorstudent.plugins.prototype2.options import Tuning
+from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.plugins.prototype2.percept import perceive
 from tutorstudent.plugins.prototype2.pilot import Pilot
 from tutorstudent.plugins.prototype2.planner import StatePlanner
+from tutorstudent.plugins.prototype2.planner_options import Tuning
 from tutorstudent.plugins.prototype2.rules import RULES, SUBSUMPTION
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
 

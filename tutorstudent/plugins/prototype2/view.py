@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.plugins.prototype2.options import Tuning
 from tutorstudent.plugins.prototype2.percept import Percept
+from tutorstudent.plugins.prototype2.planner_options import Tuning
 
 
 class View:

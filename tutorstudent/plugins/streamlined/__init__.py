@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.part import Component
 from tutorstudent.plugins.streamlined.codec import LevelAmpbit
 from tutorstudent.plugins.streamlined.modifier import Modifier
 

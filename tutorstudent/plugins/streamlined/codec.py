@@ -6,10 +6,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tutorstudent.core.leaves import Codec, Vector
-from tutorstudent.core.proposals import LevelProposal
-from tutorstudent.core.records import GradedAction
-from tutorstudent.plugins.levels import GradeCode, GradeOptions, finite_values
+from tutorstudent.core.roles.leaves import Codec, Vector
+from tutorstudent.core.words.proposals import LevelProposal
+from tutorstudent.core.words.records import GradedAction
+from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, finite_values
 
 
 class LevelAmpbit(Codec[LevelProposal]):

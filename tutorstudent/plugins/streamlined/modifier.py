@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from tutorstudent.core.actions import ActionT
-from tutorstudent.core.interfaces import ActionSelector
-from tutorstudent.core.proposals import LevelProposal, Proposal
-from tutorstudent.core.records import GradedAction
+from tutorstudent.core.roles.interfaces import ActionSelector
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import LevelProposal, Proposal
+from tutorstudent.core.words.records import GradedAction
 
 
 class Modifier(ActionSelector[ActionT, LevelProposal]):

@@ -5,12 +5,12 @@ The environments are in `tutorstudent.sims.gym.envs`; importing that registers t
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.part import Component
 from tutorstudent.sims.gym.conditions import InfoTrue, ObservationOutside, RewardBelow, Terminated
+from tutorstudent.sims.gym.gym_world import GymnasiumWorld
 from tutorstudent.sims.gym.spaces import box_action
 from tutorstudent.sims.gym.types import GymState
-from tutorstudent.sims.gym.world import GymnasiumWorld
 
 __all__ = ["GymState", "GymnasiumWorld", "InfoTrue", "ObservationOutside", "RewardBelow", "Terminated", "box_action"]
 

@@ -10,12 +10,12 @@ import numpy as np
 from gymnasium.spaces import Box, Discrete
 from numpy.typing import NDArray
 
-from tutorstudent.core.actions import Action
-from tutorstudent.core.errors import ContractError, PipelineError
-from tutorstudent.core.pipeline import Pipeline
-from tutorstudent.core.records import Moment, Turn
-from tutorstudent.core.runner import check_world, trial_seed
-from tutorstudent.core.world import Step, World
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.roles.world import Step, World
+from tutorstudent.core.running.runner import check_world, trial_seed
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError, PipelineError
+from tutorstudent.core.words.records import Moment, Turn
 from tutorstudent.sims.gym.drawing import picture
 from tutorstudent.sims.gym.driven import Driven, drive
 from tutorstudent.sims.gym.scoring import Weights, check_weights, score

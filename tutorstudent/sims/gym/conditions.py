@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from pydantic import model_validator
 
-from tutorstudent.core import component
-from tutorstudent.core.component import Field
-from tutorstudent.core.errors import ContractError, listing, suggestion
-from tutorstudent.core.leaves import Condition
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.leaves import Condition
+from tutorstudent.core.roles.part import Field
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
 from tutorstudent.sims.gym.types import GymState
 
 
@@ -19,7 +19,7 @@ class RewardBelow(Condition[GymState]):
 
     name = "reward-below"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """How little is too little."""
 
         threshold: float = Field(description="smallest reward of a step that is no violation")
@@ -39,7 +39,7 @@ class InfoTrue(Condition[GymState]):
 
     name = "info-true"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Which value."""
 
         key: str = Field(description="key of the environment's info")
@@ -63,7 +63,7 @@ class ObservationOutside(Condition[GymState]):
 
     name = "observation-outside"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Which number and which range."""
 
         index: int = Field(ge=0, description="place of the number in the flattened observation, from 0")

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tutorstudent.core.world import Point, Sketch
+from tutorstudent.core.roles.world import Point, Sketch
 
 SIDE = 400
 """Pixels of the picture's side."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from tutorstudent.core.assembly import Assembler
-from tutorstudent.core.engine import Engine
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.pipeline import DEFAULTS, Pipeline
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.files.assembly import Assembler
+from tutorstudent.core.files.pipeline import DEFAULTS, Pipeline
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.gym.outside import Ahead, Held, Outside
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 
 
 def load_gymnasium() -> Any:

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tutorstudent.core import component
-from tutorstudent.core.actions import Action, ActionT, rebuilt
-from tutorstudent.core.component import Binding, Component, Field, Part
-from tutorstudent.core.errors import ContractError
-from tutorstudent.core.interfaces import Amplifier, Student, Tutor
-from tutorstudent.core.leaves import Change, Encoder
-from tutorstudent.core.proposals import LevelProposal
-from tutorstudent.core.records import GradedAction, Lesson, Moment, StateT
+from tutorstudent.core.roles import part
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.interfaces import Amplifier, Student, Tutor
+from tutorstudent.core.roles.leaves import Change, Encoder
+from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.roles.part_options import Part
+from tutorstudent.core.words.actions import Action, ActionT, rebuilt
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.proposals import LevelProposal
+from tutorstudent.core.words.records import GradedAction, Lesson, Moment, StateT
 
 
 class Outside(Student[StateT, ActionT, LevelProposal]):
@@ -20,7 +22,7 @@ class Outside(Student[StateT, ActionT, LevelProposal]):
 
     name = "outside"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """What the other learner sees."""
 
         encoder: Part[Encoder[Any, Any]] = Field(description="the inputs that the other learner is shown")
@@ -44,7 +46,7 @@ class Held(Amplifier[ActionT]):
 
     name = "held"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Whose amount and change."""
 
         amplifier: Part[Amplifier[Any]] = Field(description="the amplifier that is not asked")
@@ -70,7 +72,7 @@ class Ahead(Tutor[Any, Any]):
 
     name = "ahead"
 
-    class Options(component.Options):
+    class Options(part.Options):
         """Whom to ask."""
 
         tutor: Part[Tutor[Any, Any]] = Field(description="the tutor")

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from tutorstudent.sims.gym.drawing import picture
 from tutorstudent.sims.gym.scoring import Weights, check_weights, score
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState
-from tutorstudent.sims.pioneer.world import PioneerWorld
 
 Observation = dict[str, Any]
 WEIGHTS: Weights = {"encounters": 1.0, "collided": -1.0}

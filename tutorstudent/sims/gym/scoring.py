@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from tutorstudent.core.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
 
 Weights = Mapping[str, float]
 """What one unit of an event is worth, by name."""

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import create_model
 
-from tutorstudent.core.actions import Action, component, vocabulary_of
-from tutorstudent.core.commands import Command
-from tutorstudent.core.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.actions import Action, component, vocabulary_of
+from tutorstudent.core.words.commands import Command
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
 from tutorstudent.sims.gym.loading import load_gymnasium
 
 _ROUNDING = 1e-6

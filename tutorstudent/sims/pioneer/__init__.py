@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import Component
-from tutorstudent.core.hookspecs import hookimpl
-from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent.core.roles.hookspecs import hookimpl
+from tutorstudent.core.roles.part import Component
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 
 
 @hookimpl

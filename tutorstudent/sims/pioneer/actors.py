@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tutorstudent.core.component import Field, Options
+from tutorstudent.core.roles.part import Field, Options
 
 Drive = tuple[float, float]
 """Translation and rotation, fractions of full speed."""

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import CENTRE_M, HEIGHT_M, LENGTH_M, WIDTH_M, Pose
 from tutorstudent.sims.pioneer.mesh import Mesh
 from tutorstudent.sims.pioneer.sonar import HEIGHT_M as RAY_HEIGHT_M

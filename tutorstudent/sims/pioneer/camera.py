@@ -11,11 +11,11 @@ import numpy as np
 from tutorstudent.sims.pioneer.body import CENTRE_M, LENGTH_M, Pose
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
-from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.senses import BLOB_COLOURS, Camera, RayCamera, coloured
 from tutorstudent.sims.pioneer.stage import Stage
 from tutorstudent.sims.pioneer.types import Blob
 from tutorstudent.sims.pioneer.vision import BlobCamera
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 COLUMNS, ROWS = 160, 8
 """Pixels; 160 columns as in the thesis's simulator, and only the rows near the horizon."""

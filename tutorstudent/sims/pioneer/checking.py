@@ -9,8 +9,8 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from tutorstudent.core.errors import PipelineError, listing, suggestion
-from tutorstudent.core.yamlfile import Document, Location
+from tutorstudent.core.files.yamlfile import Document, Location
+from tutorstudent.core.words.errors import PipelineError, listing, suggestion
 from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Spec, Walls
 
 PARTS: Mapping[int | str, type[Spec]] = {"walls": Walls, "map": RosMap, "circle": Circle, "boxes": Box, "robots": Robot}

@@ -6,16 +6,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tutorstudent.core.component import stream
+from tutorstudent.core.roles.binding import stream
 from tutorstudent.sims.pioneer.actors import SONARS, Predator, Prey, Sensed, sensed
 from tutorstudent.sims.pioneer.body import Pose, footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import FREE, Command, Shapes
-from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.scene import Robot
 from tutorstudent.sims.pioneer.sonar import ReadNoise, SonarRing
 from tutorstudent.sims.pioneer.vision import BlobCamera, Sight
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 
 class Company:

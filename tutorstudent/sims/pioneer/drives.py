@@ -8,8 +8,8 @@ from tutorstudent.sims.pioneer.body import Pose
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.dynamics import DynamicDrive, PlanarDrive, WheeledDrive
 from tutorstudent.sims.pioneer.motion import Drive, KinematicDrive
-from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.stage import Stage
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 DYNAMIC: dict[str, type[DynamicDrive]] = {"planar": PlanarDrive, "wheeled": WheeledDrive}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from tutorstudent.core.world import Summary
+from tutorstudent.core.roles.world import Summary
 from tutorstudent.sims.pioneer.body import REACH_M, Pose, Rectangle, footprint
 from tutorstudent.sims.pioneer.motion import FREE, Command
 

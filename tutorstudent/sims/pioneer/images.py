@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError
 
 Grey = NDArray[np.uint8]
 

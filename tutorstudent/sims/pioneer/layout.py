@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.world import Point
+from tutorstudent.core.roles.world import Point
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.mesh import Mesh, circle, facades, prisms, thickened
 from tutorstudent.sims.pioneer.ros_map import read_ros_map

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from tutorstudent.core.world import Point
+from tutorstudent.core.roles.world import Point
 
 Vertex = tuple[float, float, float]
 

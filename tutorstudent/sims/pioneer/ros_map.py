@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from tutorstudent.core.world import Point
-from tutorstudent.core.yamlfile import read_yaml
+from tutorstudent.core.files.yamlfile import read_yaml
+from tutorstudent.core.roles.world import Point
 from tutorstudent.sims.pioneer.checking import checked
 from tutorstudent.sims.pioneer.images import read_grey
 from tutorstudent.sims.pioneer.scene import Spec

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, field_validator, model_validator
 
-from tutorstudent.core.world import Point
+from tutorstudent.core.roles.world import Point
 
 Units = Literal["metres", "percent"]
 Colour = Literal["red", "green", "blue", "yellow", "grey"]

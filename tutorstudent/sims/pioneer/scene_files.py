@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tutorstudent.core.errors import PipelineError, listing, suggestion
-from tutorstudent.core.yamlfile import Document, Location, read_yaml
+from tutorstudent.core.files.yamlfile import Document, Location, read_yaml
+from tutorstudent.core.words.errors import PipelineError, listing, suggestion
 from tutorstudent.sims.pioneer.checking import checked
 from tutorstudent.sims.pioneer.scene import RosMap, SceneSpec, Walls
 

@@ -12,10 +12,10 @@ from tutorstudent.sims.pioneer.body import Pose, footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import Shapes
-from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.sonar import SONARS, ReadNoise, SonarRing
 from tutorstudent.sims.pioneer.types import Blob, PioneerState
 from tutorstudent.sims.pioneer.vision import BlobCamera
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 BLOB_COLOURS = ("red", "blue")
 """Attractors and repulsers (Thesis 3.3.1); other colours are not reported."""

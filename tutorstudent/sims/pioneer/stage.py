@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tutorstudent.core.errors import PipelineError
-from tutorstudent.core.world import Point
+from tutorstudent.core.roles.world import Point
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.bullet import Bullet, Rgba
 from tutorstudent.sims.pioneer.layout import Layout

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import stream
-from tutorstudent.core.errors import PipelineError
+from tutorstudent.core.roles.binding import stream
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.stage import Stage

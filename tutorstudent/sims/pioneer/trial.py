@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.component import stream
-from tutorstudent.core.world import Sketch
+from tutorstudent.core.roles.binding import stream
+from tutorstudent.core.roles.world import Sketch
 from tutorstudent.sims.pioneer.body import footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.camera import make_camera
@@ -12,11 +12,11 @@ from tutorstudent.sims.pioneer.drives import make_drive
 from tutorstudent.sims.pioneer.events import Encounters, Tally
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import FREE, Command
-from tutorstudent.sims.pioneer.options import PioneerOptions
 from tutorstudent.sims.pioneer.senses import Senses, coloured
 from tutorstudent.sims.pioneer.stage import Stage
 from tutorstudent.sims.pioneer.starts import start_poses
 from tutorstudent.sims.pioneer.types import PioneerState
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
 
 class Trial:

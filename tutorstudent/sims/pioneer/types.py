@@ -12,7 +12,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from tutorstudent.core.actions import Action, AmplificationMap, component
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
 
 
 class DriveAction(Action):

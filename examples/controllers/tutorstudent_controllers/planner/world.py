@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 import tutorstudent as ts
-from tutorstudent.sims.pioneer.options import PioneerOptions
+from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
-from tutorstudent.sims.pioneer.world import PioneerWorld
+from tutorstudent.sims.pioneer.world_options import PioneerOptions
 from tutorstudent_controllers.planner.state import LocatedState, Outlines, Pose
 
 

@@ -1,0 +1,108 @@
+"""`tutorstudent plugins info`: all that there is to know about one component."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import textwrap
+from collections.abc import Iterator
+from typing import Annotated, Any
+
+import typer
+
+from tutorstudent.core.files.optiontable import OptionRow, option_rows
+from tutorstudent.core.files.registry import ROLES, Installed, Registry
+from tutorstudent.core.words.errors import UnknownPlugin, listing, suggestion
+
+WIDTH = 80
+IN_LISTS = {"condition": "conditions", "observer": "observers"}
+
+
+def info(
+    name: Annotated[str, typer.Argument(help="the name of a component, as in a pipeline")],
+    role: Annotated[str | None, typer.Option(help="its role, where several components have the name")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
+) -> None:
+    """Show a component: where it comes from, what it does, its options, and the line for a pipeline."""
+    registry = Registry.discover()
+    found = find(name, role, registry)
+    if as_json:
+        typer.echo(json.dumps(as_values(found, registry), indent=2))
+        return
+    for line in page(found, registry):
+        typer.echo(line)
+
+
+def find(name: str, role: str | None, registry: Registry) -> Installed:
+    """Return the one component of that name, and role if it is given.
+
+    Raises:
+        UnknownPlugin: if there is none, or several; the message lists them.
+    """
+    if role is not None and role not in ROLES:
+        raise UnknownPlugin(f"there is no role '{role}'{suggestion(role, ROLES)}. Roles: {listing(ROLES)}.")
+    found = [item for item in registry if item.cls.name == name and role in (None, item.cls.role)]
+    if len(found) > 1:
+        roles = listing(item.cls.role for item in found)
+        raise UnknownPlugin(f"several components are named '{name}': {roles}. Choose one with --role.")
+    if not found and role is not None:
+        registry.get(role, name)  # says what there is instead
+    if not found:
+        registry.check_not_broken(name)
+        raise UnknownPlugin(
+            f"no component is named '{name}'{suggestion(name, {item.cls.name for item in registry})}."
+            f" `tutorstudent plugins list` shows all.{registry.suspects()}"
+        )
+    return found[0]
+
+
+def as_values(found: Installed, registry: Registry) -> dict[str, Any]:
+    """Return what is known about a component as plain values."""
+    cls = found.cls
+    return {
+        "role": cls.role,
+        "name": cls.name,
+        "plugin": found.entry_point,
+        "distribution": found.distribution,
+        "class": f"{cls.__module__}.{cls.__qualname__}",
+        "description": inspect.cleandoc(cls.__doc__ or ""),
+        "options": [row._asdict() for row in option_rows(cls)],
+        "yaml": yaml_line(found, registry),
+    }
+
+
+def page(found: Installed, registry: Registry) -> Iterator[str]:
+    """Yield the lines of a description for people."""
+    cls, rows = found.cls, option_rows(found.cls)
+    yield f"{cls.role} {cls.name}"
+    yield f"plugin '{found.entry_point}' of {found.distribution}, class {cls.__module__}.{cls.__qualname__}"
+    yield ""
+    yield inspect.cleandoc(cls.__doc__ or "")
+    yield ""
+    yield "Options:" if rows else "There are no options."
+    for row in rows:
+        default = "required" if row.required else f"default {json.dumps(row.default)}"
+        head = ", ".join(filter(None, (f"{row.name}: {row.type}", row.bounds, default)))
+        yield from textwrap.wrap(head, WIDTH, initial_indent="  ", subsequent_indent="      ")
+        yield from textwrap.wrap(row.description, WIDTH, initial_indent="      ", subsequent_indent="      ")
+        if row.role:
+            names = listing(item.cls.name for item in registry.of(row.role))
+            yield from textwrap.wrap(f"one of: {names}", WIDTH, initial_indent="      ", subsequent_indent="      ")
+    yield ""
+    yield "In a pipeline:"
+    yield f"  {yaml_line(found, registry)}"
+
+
+def yaml_line(found: Installed, registry: Registry) -> str:
+    """Return the line that names a component in a pipeline; what is required and unknown stands as ``...``."""
+    role, name = found.cls.role, found.cls.name
+    needed = [f"{row.name}: {_example(row, found, registry)}" for row in option_rows(found.cls) if row.required]
+    part = f"{{use: {name}, {', '.join(needed)}}}" if needed else name
+    return f"{IN_LISTS[role]}: [{part}]" if role in IN_LISTS else f"{role}: {part}"
+
+
+def _example(row: OptionRow, found: Installed, registry: Registry) -> str:
+    plain = [item for item in registry.of(row.role or "") if not any(other.required for other in option_rows(item.cls))]
+    near = sorted(plain, key=lambda item: item.distribution != found.distribution)
+    name = near[0].cls.name if near else "..."
+    return f"[{name}]" if row.type.startswith("list") else name

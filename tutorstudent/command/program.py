@@ -1,0 +1,154 @@
+"""The command line: thin; a mistake of the user's is a sentence on standard error and exit code 2."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+import traceback
+from contextlib import suppress
+from importlib import metadata
+from pathlib import Path
+from typing import Annotated, Any, NoReturn
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from tutorstudent.command.check import check
+from tutorstudent.command.common_options import Trace, Verbose, everywhere, heed, is_verbose
+from tutorstudent.command.compare import compare, report
+from tutorstudent.command.new import new
+from tutorstudent.command.plugin_info import info
+from tutorstudent.command.plugin_list import plugins_list
+from tutorstudent.command.progress_bar import ProgressBar
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.files.pipeline import Pipeline
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.rundir import Finished, prepare, run_pipeline, write_run, writing
+from tutorstudent.core.files.schema import pipeline_schema
+from tutorstudent.core.files.settings import read_settings
+from tutorstudent.core.words.errors import TutorStudentError
+
+app = typer.Typer(
+    name="tutorstudent",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    add_completion=False,
+)
+plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
+app.add_typer(plugins, name="plugins")
+app.command()(everywhere(compare))
+app.command()(everywhere(report))
+plugins.command("list")(everywhere(plugins_list))
+plugins.command("info")(everywhere(info))
+plugins.command("check")(everywhere(check))
+plugins.command("new")(everywhere(new))
+
+PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
+Setting = Annotated[
+    list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="another value for a dotted key; repeatable")
+]
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"tutorstudent {metadata.version('tutorstudent')}")
+        raise typer.Exit
+
+
+Version = Annotated[
+    bool, typer.Option("--version", is_eager=True, callback=_print_version, help="print the version and exit")
+]
+
+
+@app.callback()
+def program(verbose: Verbose = False, trace: Trace = False, _version: Version = False) -> None:
+    """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
+    heed(verbose, trace)
+
+
+@app.command()
+@everywhere
+def run(
+    pipeline: PipelineFile,
+    decisions: Annotated[int | None, typer.Option(min=1, help="how many decisions, instead of the file's")] = None,
+    seed: Annotated[int | None, typer.Option(min=0, help="the seed, instead of the file's")] = None,
+    out: Annotated[Path | None, typer.Option(help="directory of the run; default runs/NAME-SEED")] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="exit with 1 if any part broke its contract")] = False,
+    settings: Setting = None,
+) -> None:
+    """Run a pipeline in its world and write a directory that can be read later."""
+    changes = read_settings("--set", settings or [])
+    changes |= {key: value for key, value in (("decisions", decisions), ("seed", seed)) if value is not None}
+    chosen = Pipeline.read(pipeline).replaced(changes)
+    directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
+    prepare(directory)
+    finished = _finished(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
+    note = write_run(directory, finished)
+    _print_summary(finished.summary)
+    if note:
+        typer.echo(f"tutorstudent: {note}", err=True)
+    _print_incidents(finished.engine)
+    _say(f"written to {directory}")
+    if strict and finished.engine.incident_counts:
+        raise typer.Exit(1)
+
+
+@app.command()
+@everywhere
+def schema(
+    out: Annotated[Path | None, typer.Option(help="write it to this file, and say how a pipeline names it")] = None,
+) -> None:
+    """Print a JSON Schema of pipelines, composed from the installed plugins."""
+    text = json.dumps(pipeline_schema(Registry.discover()), indent=2)
+    if out is None:
+        _say(text)
+        return
+    with writing(out):
+        out.write_text(f"{text}\n", encoding="utf-8")
+    _say(f"written to {out}; editors use it where a pipeline begins with the line")
+    _say(f"# yaml-language-server: $schema={out.name}")
+
+
+def _finished(pipeline: Pipeline, title: str, directory: Path) -> Finished:
+    try:
+        with ProgressBar(title) as bar:
+            return run_pipeline(pipeline, [bar])
+    except KeyboardInterrupt:
+        with suppress(OSError):  # it holds an earlier run
+            directory.rmdir()
+        typer.echo("interrupted; a run is written at its end, so nothing is. 'compare' keeps finished runs.", err=True)
+        raise typer.Exit(130) from None
+
+
+def _print_summary(summary: dict[str, float]) -> None:
+    table = Table("what", "value")
+    for key, value in summary.items():
+        whole = math.isfinite(value) and value == int(value)
+        table.add_row(Text(key), f"{int(value):,}" if whole else f"{value:,.4g}")
+    Console().print(table)
+
+
+def _print_incidents(engine: Engine[Any, Any, Any]) -> None:
+    newest = {(incident.part, incident.kind): incident.message for incident in engine.incidents}
+    for key, count in sorted(engine.incident_counts.items()):
+        message = f"; the newest: {newest[key]}" if key in newest else ""
+        _say(f"incidents: {key[0]}: {key[1]}: {count}{message}")
+
+
+def _say(text: str) -> None:
+    typer.echo(text)
+
+
+def main() -> NoReturn:
+    """Run the command line; a `TutorStudentError` is a sentence and exit code 2."""
+    try:
+        app()
+    except TutorStudentError as error:
+        if is_verbose():
+            traceback.print_exc()
+        typer.echo(f"tutorstudent: {error}", err=True)
+        sys.exit(2)
+    sys.exit(0)

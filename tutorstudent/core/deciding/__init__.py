@@ -1,0 +1,1 @@
+"""One decision: the engine, the steps of the thesis, and the behaviour contract round them."""

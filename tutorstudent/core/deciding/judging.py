@@ -1,0 +1,72 @@
+"""Tests the operational conditions on a resulting state (Thesis 3.2.2.5, 3.2.3 A-C)."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from types import MappingProxyType
+from typing import Any, Generic
+
+from tutorstudent.core.deciding.guard import Breach, Guard
+from tutorstudent.core.roles.leaves import Condition
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.proposals import exact_bit, exact_number
+from tutorstudent.core.words.records import Margins, Outcome, StateT
+
+NO_MARGINS: Margins = MappingProxyType({})
+
+
+class Judge(Generic[StateT]):
+    """Asks every condition once about every resulting state. A condition that fails counts as violated."""
+
+    def __init__(self, conditions: Sequence[Condition[StateT]], guard: Guard) -> None:
+        doubled = [name for name, count in Counter(condition.label for condition in conditions).items() if count > 1]
+        if doubled:
+            raise ContractError(
+                f"condition '{doubled[0]}' stands there twice; each condition has a name of its own.",
+                slot=f"conditions.{doubled[0]}",
+            )
+        self._conditions = [(c, c.label, type(c).margins is not Condition.margins) for c in conditions]
+        self._guard = guard
+        self._before: Margins | None = None
+
+    def forget(self) -> None:
+        """Begin a trial: the next state has nothing before it."""
+        self._before = None
+
+    def judge(self, number: int, state: StateT) -> Outcome[StateT]:
+        """Return what the conditions say about the state that decision `number` led to."""
+        violated: list[str] = []
+        margins: dict[str, tuple[float, ...]] = {}
+        for condition, name, declares in self._conditions:
+            try:
+                if _violated(condition, state):
+                    violated.append(name)
+                if declares and (found := condition.margins(state)) is not None:
+                    margins[name] = _margins(found)
+            except KeyboardInterrupt:
+                raise
+            except BaseException as error:
+                if name not in violated:
+                    violated.append(name)
+                self._guard.record(number, f"conditions.{name}", error)
+        before, self._before = self._before, MappingProxyType(margins) if margins else NO_MARGINS
+        return Outcome(state, tuple(violated), before, self._before)
+
+
+def _violated(condition: Condition[Any], state: Any) -> bool:
+    answer = condition.violated(state)
+    if answer is True or answer is False:
+        return answer
+    try:
+        return exact_bit(answer)
+    except (TypeError, ValueError):
+        raise Breach("wrong-return", f"violated() returned {type(answer).__name__}; return a bool.") from None
+
+
+def _margins(found: Sequence[float]) -> tuple[float, ...]:
+    margins = tuple(map(exact_number, found))
+    if any(math.isnan(margin) for margin in margins):
+        raise Breach("not-finite", "margins() returned NaN; a condition whose margin is unknown counts as violated.")
+    return margins

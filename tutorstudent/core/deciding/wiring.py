@@ -1,0 +1,54 @@
+"""What has to fit before anything moves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tutorstudent.core.deciding.guard import checked_replica
+from tutorstudent.core.roles.interfaces import ActionSelector, Student, Tutor
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError, listing
+
+
+def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
+    """Refuse a tutor whose actions have nothing to amplify.
+
+    Raises:
+        ContractError: if they have not.
+    """
+    vocabulary = tutor.action.vocabulary
+    if not any(vocabulary.groups.values()):
+        raise ContractError(
+            f"tutor '{tutor.name}': the action class {tutor.action.__name__} has nothing to amplify; "
+            f"its components are {listing(vocabulary.components)}. Name at least one in its 'amplification'.",
+            slot="tutor",
+        )
+
+
+def check_wiring(student: Student[Any, Any, Any], selector: ActionSelector[Any, Any]) -> None:
+    """Refuse a selector that cannot read the student's proposals.
+
+    Raises:
+        ContractError: if it cannot.
+    """
+    if student.proposal is not selector.proposal:
+        raise ContractError(
+            f"selector '{selector.name}' needs {selector.proposal.__name__} but student '{student.name}' makes "
+            f"{student.proposal.__name__}. The selector 'same-kind' reads the codec 'kind-level-ampbit'; "
+            "the selector 'modifier' reads 'level-ampbit'.",
+            slot="selector",
+        )
+
+
+def check_failure_action(tutor: Tutor[Any, Any], action: Action | None) -> None:
+    """Refuse an emergency action that is not of the tutor's class.
+
+    Raises:
+        ContractError: if it is not.
+    """
+    if action is not None and type(action) is not tutor.action:
+        raise ContractError(
+            f"on_tutor_failure: found {type(action).__name__}; expected the tutor's {tutor.action.__name__}."
+        )
+    if action is not None:
+        checked_replica(action, "on_tutor_failure")

@@ -1,0 +1,95 @@
+"""Files and folders that are there completely or not at all, at whatever moment the power or the process goes."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+from uuid import uuid4
+
+from tutorstudent.core.words.errors import PipelineError
+
+PARTIAL = ".partial"
+"""Ends the name of what is being written; it begins with a dot."""
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a text file, in place of one of that name."""
+    partial = path.with_name(f".{path.name}{PARTIAL}")
+    with partial.open("w", encoding="utf-8") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
+    partial.replace(path)
+    _sync_folder(path.parent)
+
+
+@contextmanager
+def whole_folder(place: Path) -> Iterator[Path]:
+    """Yield an empty folder beside the place; at the end it takes the place of whatever stands there.
+
+    Its files must not be in folders of their own. If an error ends the block, the place stays as it was.
+    """
+    # Another name each time: a process that outlived its study may still be writing the same run.
+    partial = place.with_name(f".{place.name}.{uuid4().hex}{PARTIAL}")
+    partial.mkdir(parents=True)
+    try:
+        yield partial
+        for path in partial.iterdir():
+            _sync_file(path)
+        _sync_folder(partial)
+        if place.exists():
+            shutil.rmtree(place)
+        partial.replace(place)
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+    _sync_folder(place.parent)
+
+
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Keep two processes of one machine from working in one folder, where the system can; nothing is left behind.
+
+    Raises:
+        PipelineError: if another one does.
+    """
+    if find_spec("fcntl") is None:
+        yield
+        return
+    import fcntl
+
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError:
+        raise PipelineError(f"{folder}: another process works on this study; wait for it, or end it first.") from None
+    finally:
+        os.close(descriptor)
+
+
+def remove_partial(folder: Path) -> None:
+    """Remove what a process that was killed had not finished writing, at any depth."""
+    for path in sorted(folder.rglob(f".*{PARTIAL}")):
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
+
+
+def _sync_file(path: Path) -> None:
+    with path.open("rb+") as stream:
+        os.fsync(stream.fileno())
+
+
+def _sync_folder(path: Path) -> None:
+    if not hasattr(os, "O_DIRECTORY"):  # systems on which a folder cannot be opened
+        return
+    descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

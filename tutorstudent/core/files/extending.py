@@ -1,0 +1,99 @@
+"""``extends: other.yaml``: a pipeline file that says only what differs from another one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from tutorstudent.core.files.yamlfile import Document, Location, Place, read_yaml
+from tutorstudent.core.words.errors import PipelineError
+
+EXTENDS = "extends"
+WHOLE: tuple[Location, ...] = (("on_tutor_failure",),)
+"""Mappings that are one value: of an action, no component is left over from another action."""
+
+
+def read_extended(path: Path) -> Document:
+    """Read a YAML file and all that it extends, as one document in which every value knows its own file.
+
+    Mappings are merged key by key; lists and scalars take the place of what was there. Where ``use`` names another
+    component than before, none of the options that stood beside it are kept. A word is short for ``{use: word}``.
+
+    Raises:
+        PipelineError: if a file cannot be read or leads back to itself; the message says where and what to do.
+    """
+    return _read(path, [])
+
+
+def _read(path: Path, chain: list[Path]) -> Document:
+    document = read_yaml(path)
+    if not isinstance(document.data, dict) or EXTENDS not in document.data:
+        return document
+    chain = [*chain, path]
+    base = _read(_base(document, path, chain), chain)
+    if not isinstance(base.data, dict):
+        raise _error(document, f"{base.name} holds no mapping; extend a pipeline.")
+    return _merged(base, document)
+
+
+def _base(document: Document, path: Path, chain: list[Path]) -> Path:
+    named = document.data[EXTENDS]
+    if not isinstance(named, str) or not named:
+        raise _error(document, f"found {named!r}; write the path of one YAML file, as in extends: base.yaml.")
+    if Path(named).is_absolute():
+        raise _error(document, f"found the absolute path {named}; write it relative to this file, for other machines.")
+    base = path.parent / named
+    if not _is_file(base):
+        raise _error(document, f"there is no file {base}. A path is read relative to the file in which it stands.")
+    if base.resolve() in [known.resolve() for known in chain]:
+        way = " -> ".join(str(known) for known in [*chain, base])
+        raise _error(document, f"the files extend each other in a circle: {way}; one of them must stand alone.")
+    return base
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # such as a name that is too long
+        return False
+
+
+def _error(document: Document, problem: str) -> PipelineError:
+    return PipelineError(f"{document.where((EXTENDS,))}: {problem}")
+
+
+def _merged(base: Document, own: Document) -> Document:
+    merge = _Merge(base)
+    values = {key: value for key, value in own.data.items() if key != EXTENDS}
+    data = merge.of(base.data, values, ())
+    places = {at: place for at, place in own.places.items() if at != (EXTENDS,)}
+    return Document(own.name, data, merge.places | {at: _in_file(own, place) for at, place in places.items()})
+
+
+class _Merge:
+    """Lays values over those of a base, and keeps the places of what is left of it."""
+
+    def __init__(self, base: Document) -> None:
+        self.places = {at: _in_file(base, place) for at, place in base.places.items() if at != (EXTENDS,)}
+
+    def of(self, base: Any, own: Any, at: Location) -> Any:
+        old, new = _as_mapping(base, own), _as_mapping(own, base)
+        if at in WHOLE or not isinstance(old, dict) or not isinstance(new, dict) or _other_part(old, new):
+            self.places = {other: place for other, place in self.places.items() if other[: len(at)] != at}
+            return own
+        if old is not base and at in self.places:
+            self.places[*at, "use"] = self.places[at]
+        both = {key: self.of(old[key], new[key], (*at, key)) for key in old if key in new}
+        return old | new | both
+
+
+def _as_mapping(value: Any, other: Any) -> Any:
+    return {"use": value} if isinstance(value, str) and isinstance(other, dict) else value
+
+
+def _other_part(old: dict[str, Any], new: dict[str, Any]) -> bool:
+    return "use" in old and "use" in new and old["use"] != new["use"]
+
+
+def _in_file(document: Document, place: Place) -> Place:
+    return place if place.file else place._replace(file=document.name)

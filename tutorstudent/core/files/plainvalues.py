@@ -1,0 +1,31 @@
+"""Descriptions as what a file can hold."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from pydantic_core import to_jsonable_python
+
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.errors import PipelineError
+
+
+def plain(value: Any, where: str) -> Any:
+    """Return a description as what YAML and JSON can hold: paths and enums as their values, tuples as lists.
+
+    Raises:
+        PipelineError: if something in it has no such form; `where` stands for its place.
+    """
+    try:
+        return to_jsonable_python(value, fallback=_leftover)
+    except (TypeError, ValueError) as error:
+        raise PipelineError(f"{where}: cannot be written into a file: {error}") from None
+
+
+def _leftover(value: Any) -> Any:
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    if isinstance(value, Component):
+        return value.describe()
+    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or components.")

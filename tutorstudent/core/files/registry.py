@@ -1,0 +1,159 @@
+"""Finds the installed plugins. Each entry point is loaded by itself: a broken one never stops the others."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterable, Iterator
+from importlib import metadata
+from typing import NamedTuple
+
+from tutorstudent.core.files.loading import (
+    Broken,
+    allowed,
+    broken_by,
+    components,
+    distribution_of,
+    doubled,
+    installed_entry_points,
+    is_ours,
+)
+from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
+from tutorstudent.core.roles.leaves import Change, Codec, Condition, Encoder
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.running.observers import Observer
+from tutorstudent.core.words.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin, an, listing, suggestion
+
+ROLES: dict[str, type[Component]] = {
+    role.role: role
+    for role in (
+        Tutor,
+        Student,
+        ActionSelector,
+        Amplifier,
+        Evaluator,
+        World,
+        Encoder,
+        Codec,
+        Change,
+        Condition,
+        Observer,
+    )
+}
+_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+
+
+class Installed(NamedTuple):
+    """One component class with where it comes from."""
+
+    cls: type[Component]
+    entry_point: str
+    distribution: str
+
+
+class Registry:
+    """The components of all entry points, by role and name. An instance, handed about; nothing is global."""
+
+    def __init__(self) -> None:
+        self._found: dict[tuple[str, str], Installed] = {}
+        self.broken: list[Broken] = []
+
+    @classmethod
+    def discover(cls, entry_points: Iterable[metadata.EntryPoint] | None = None) -> Registry:
+        """Return a registry of all installed plugins.
+
+        The environment variable TUTORSTUDENT_LOAD_PLUGINS limits the third parties' to the distributions and entry
+        points that it names, separated by commas; where it is empty, none of theirs is loaded. With
+        TUTORSTUDENT_TRACE=1 every call of a hook is told on standard error.
+        """
+        registry = cls()
+        found = installed_entry_points(registry.broken) if entry_points is None else entry_points
+        for entry_point in sorted(found, key=lambda ep: (not is_ours(ep), distribution_of(ep), ep.name)):
+            if is_ours(entry_point) or allowed(entry_point):
+                registry.load(entry_point)
+        return registry
+
+    def load(self, entry_point: metadata.EntryPoint) -> None:
+        """Add the components of one entry point: all of them, or none and a `Broken` record."""
+        classes: list[type[Component]] = []
+        try:
+            classes += components(entry_point)
+            for cls in classes:
+                self._check(cls, entry_point.name)
+            if twice := doubled(classes):
+                raise DuplicatePlugin(
+                    f"{twice.role} '{twice.name}' of '{entry_point.name}' stands there twice; rename one of them."
+                )
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.broken.append(broken_by(error, entry_point, classes))
+            return
+        for cls in classes:
+            self.add(cls, entry_point.name, distribution_of(entry_point))
+
+    def add(self, cls: type[Component], entry_point: str = "", distribution: str = "this program") -> None:
+        """Add one component class."""
+        self._check(cls, entry_point)
+        self._found[cls.role, cls.name] = Installed(cls, entry_point, distribution)
+
+    def get(self, role: str, name: str) -> type[Component]:
+        """Return the component of that role and name.
+
+        Raises:
+            UnknownPlugin: if there is none.
+            BrokenPlugin: if there is none, and a plugin that has it, or is of that name, could not be loaded.
+        """
+        if (role, name) in self._found:
+            return self._found[role, name].cls
+        self.check_not_broken(name, role)
+        known = [installed.cls.name for installed in self.of(role)]
+        elsewhere = [found_role for found_role, found_name in self._found if found_name == name]
+        hint = f" There is {an(elsewhere[0])} of that name." if elsewhere else ""
+        raise UnknownPlugin(
+            f"no {role} named '{name}'{suggestion(name, known)}. Installed: {listing(known)}.{hint} "
+            f"`tutorstudent plugins list` shows all; a package with {an(role)} is installed with pip.{self.suspects()}"
+        )
+
+    def check_not_broken(self, name: str, role: str | None = None) -> None:
+        """Say why a part is not there, if a plugin that has it, or is of that name, could not be loaded.
+
+        Raises:
+            BrokenPlugin: if so; the message has the reason and the remedy.
+        """
+        for broken in self.broken:
+            if broken.provides(name, role):
+                raise BrokenPlugin(
+                    f"no {role or 'part'} named '{name}': the plugin '{broken.entry_point}' ({broken.distribution}) "
+                    f"could not be loaded: {broken.reason} {broken.remedy}"
+                )
+
+    def suspects(self) -> str:
+        """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
+        others = " ".join(broken.told() for broken in self.broken)
+        return f" These plugins could not be loaded and may provide it: {others}" if others else ""
+
+    def of(self, role: str) -> list[Installed]:
+        """Return the components of a role, by name."""
+        return [self._found[key] for key in sorted(self._found) if key[0] == role]
+
+    def __iter__(self) -> Iterator[Installed]:
+        return iter([self._found[key] for key in sorted(self._found)])
+
+    def _check(self, cls: type[Component], entry_point: str) -> None:
+        if not (inspect.isclass(cls) and issubclass(cls, Component)):
+            raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return component classes.")
+        if cls.role not in ROLES or not issubclass(cls, ROLES[cls.role]):
+            raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {listing(ROLES)}.")
+        if not (isinstance(cls.name, str) and _NAME.fullmatch(cls.name)):
+            raise BrokenPlugin(f"{cls.__name__} has the name '{cls.name}'; names are like 'wall-follower'.")
+        if inspect.isabstract(cls):
+            missing = listing(getattr(cls, "__abstractmethods__", ()))
+            raise BrokenPlugin(f"{cls.role} '{cls.name}' ({cls.__name__}) does not implement {missing}.")
+        taken = self._found.get((cls.role, cls.name))
+        if taken is not None:
+            raise DuplicatePlugin(
+                f"{cls.role} '{cls.name}' of '{entry_point}' is already there, from "
+                f"'{taken.entry_point}' ({taken.distribution}); rename one of them."
+            )

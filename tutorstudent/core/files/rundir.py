@@ -1,0 +1,192 @@
+"""One run of a pipeline in its world, and the directory that it leaves behind.
+
+| file | what |
+|---|---|
+| ``pipeline.yaml`` | the pipeline with every option written out |
+| ``decisions.npz`` | every decision, see `Recorder` |
+| ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), incidents |
+| ``learned.npz`` | what was learned, see `recording.nested` |
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+from collections.abc import Container, Iterable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from importlib import metadata
+from itertools import chain, count
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ruamel.yaml import YAML
+
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.files.pipeline import Built, Pipeline, describe
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.running.arrays import Arrays, flat, save_arrays
+from tutorstudent.core.running.observers import Observer, Tally, WorldEvents
+from tutorstudent.core.running.recorder import Recorder
+from tutorstudent.core.running.runner import run
+from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.proposals import exact_number
+
+PACKAGES = ("tutorstudent", "numpy", "pydantic", "pluggy", "pybullet", "scikit-learn")
+
+
+class Finished(NamedTuple):
+    """What came out of a run."""
+
+    engine: Engine[Any, Any, Any]
+    resolved: dict[str, Any]
+    """The pipeline with every option written out."""
+    plugins: dict[str, str]
+    """The distribution that each part comes from, by role and name."""
+    summary: dict[str, float]
+    """What the observers counted; NaN for what is no number."""
+    decisions: Arrays
+
+
+def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Finished:
+    """Run a pipeline in its own world and return what came out.
+
+    Args:
+        pipeline: Says parts, world, seed and number of decisions.
+        observers: More observers than the pipeline names, for example a progress bar.
+    """
+    with pipeline.built() as built, ExitStack() as stack:
+        # Before the run: what cannot be written down should not cost a run.
+        resolved, plugins = describe(built.engine, built.world, pipeline), providers(built, pipeline.registry)
+        recorder, counting = Recorder(), [Tally(), WorldEvents()]
+        for observer in (recorder, *counting, *observers):
+            slot = f"observers.{observer.name}"
+            observer.bind(Binding(pipeline.header.seed, slot, built.engine.tutor.action))
+            stack.callback(observer.close)
+        counting = [*counting, *built.observers, *observers]
+        _run(built, pipeline, [recorder, *counting])
+        return Finished(built.engine, resolved, plugins, _summary(counting), recorder.arrays())
+
+
+def _run(built: Built, pipeline: Pipeline, observers: Sequence[Observer]) -> None:
+    header = pipeline.header
+    run(built.engine, built.world, header.decisions, seed=header.seed, observers=observers)
+
+
+def _summary(observers: Iterable[Observer]) -> dict[str, float]:
+    found: dict[str, float] = {}
+    for observer in observers:
+        mine = {key: _number(value) for key, value in observer.summary().items()}
+        found |= {_free(key, found): value for key, value in mine.items()}
+    return found
+
+
+def _free(key: str, taken: Container[str]) -> str:
+    """Return the key, with a number where an earlier observer has it already."""
+    numbered = (f"{key}#{number}" for number in count(2))
+    return next(name for name in chain([key], numbered) if name not in taken)
+
+
+def _number(value: Any) -> float:
+    try:
+        return exact_number(value)
+    except (TypeError, ValueError, OverflowError):
+        return math.nan
+
+
+def write_run(directory: Path, finished: Finished) -> str | None:
+    """Write the run's files into `directory`.
+
+    Returns:
+        None, or a sentence that says why what was learned could not be saved; the other files are there.
+
+    Raises:
+        PipelineError: if the directory cannot be written.
+    """
+    prepare(directory)
+    with writing(directory):
+        with (directory / "pipeline.yaml").open("w", encoding="utf-8") as stream:
+            YAML().dump(finished.resolved, stream)
+        save_arrays(directory / "decisions.npz", finished.decisions)
+        text = json.dumps(_record(finished), indent=2, sort_keys=True, allow_nan=False)
+        (directory / "run.json").write_text(f"{text}\n", encoding="utf-8")
+        (directory / "learned.npz").unlink(missing_ok=True)
+    return _save_learned(directory / "learned.npz", finished.engine)
+
+
+def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
+    try:
+        save_arrays(path, flat(engine.state_dict()))
+    except Exception as error:  # whatever a part's state_dict() does, the run has been paid for
+        path.unlink(missing_ok=True)
+        why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
+        return f"{path}: what was learned could not be saved: {why}. The other files of the run are written."
+    return None
+
+
+def prepare(directory: Path) -> None:
+    """Make a directory for a run; an earlier run's may be written over, anything else may not.
+
+    Raises:
+        PipelineError: if the directory holds something that is no run, or cannot be made.
+    """
+    with writing(directory):
+        if directory.exists() and not directory.is_dir():
+            raise PipelineError(f"{directory} is a file; name a directory for the run.")
+        if directory.is_dir() and any(directory.iterdir()) and not (directory / "run.json").exists():
+            raise PipelineError(f"{directory} holds something that is no run; name another directory.")
+        directory.mkdir(parents=True, exist_ok=True)
+
+
+@contextmanager
+def writing(place: Path) -> Iterator[None]:
+    """Turn what the operating system says into a sentence about the place.
+
+    Raises:
+        PipelineError: if something there cannot be read or written.
+    """
+    try:
+        yield
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise PipelineError(f"{place}: cannot be written: {reason}. Name a directory that you may write to.") from None
+
+
+def _record(finished: Finished) -> dict[str, Any]:
+    engine = finished.engine
+    return {
+        "versions": versions(),
+        "plugins": finished.plugins,
+        "seed": finished.resolved["seed"],
+        "decisions": finished.resolved["decisions"],
+        "summary": {key: value if math.isfinite(value) else None for key, value in finished.summary.items()},
+        "incident_counts": {f"{part}: {kind}": count for (part, kind), count in sorted(engine.incident_counts.items())},
+        "newest_incidents": [incident._asdict() for incident in engine.incidents],
+    }
+
+
+def providers(built: Built, registry: Registry) -> dict[str, str]:
+    """Return the distribution of every part, by role and name, as in ``tutor prototype2``."""
+    known = {installed.cls: installed.distribution for installed in registry}
+    engine = [part for _, part in built.engine.slots()]
+    used = {type(part) for part in _with_parts([*engine, built.world, *built.observers])}
+    return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
+
+
+def _with_parts(components: Iterable[Component]) -> Iterator[Component]:
+    for component in components:
+        yield component
+        yield from _with_parts(part for _, part in component.parts())
+
+
+def versions() -> dict[str, str]:
+    """Return the versions that a result depends on."""
+    found = {"python": platform.python_version(), "machine": platform.machine()}
+    for package in PACKAGES:
+        try:
+            found[package] = metadata.version(package)
+        except metadata.PackageNotFoundError:
+            found[package] = "not installed"
+    return found

@@ -1,0 +1,1 @@
+"""What a part can be: the roles, their life cycle, their options."""

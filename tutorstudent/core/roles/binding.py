@@ -1,0 +1,33 @@
+"""What a component is told about its place, and the random stream that belongs to the place."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import NamedTuple
+
+import numpy as np
+
+from tutorstudent.core.words.actions import Action
+
+
+class Binding(NamedTuple):
+    """What a component is told once, when a pipeline is put together."""
+
+    seed: int
+    slot: str
+    """Where it stands, for example ``student.encoder``; keys random streams, learned state and messages."""
+    action: type[Action]
+    """The tutor's action class, so that a codec knows the kinds."""
+
+
+def stream(seed: int, slot: str) -> np.random.Generator:
+    """Return the random generator of a slot: the same seed and slot give the same numbers in any process.
+
+    >>> bool(stream(7, "student").random() == stream(7, "student").random())
+    True
+    >>> bool(stream(7, "student").random() == stream(7, "tutor").random())
+    False
+    """
+    digest = hashlib.sha256(slot.encode()).digest()
+    words = [int.from_bytes(digest[i : i + 4], "little") for i in range(0, 16, 4)]
+    return np.random.default_rng(np.random.SeedSequence([seed, *words]))

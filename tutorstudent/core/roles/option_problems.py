@@ -1,0 +1,90 @@
+"""Sentences about options that a pydantic model does not take."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+
+from tutorstudent.core.words.errors import listing, shown, suggestion
+
+
+def option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
+    """Return (location, sentence) for every mistake in a pydantic error about `model`, unknown options first.
+
+    An option that is missing is most often one that is misspelt.
+    """
+    items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
+    return [(tuple(item["loc"]), _problem(model, item)) for item in items]
+
+
+def refuse_truth(annotation: Any, value: Any) -> None:
+    """Refuse true and false where an option asks for numbers: Python would take them for 1 and 0.
+
+    Raises:
+        ValueError: if there is one.
+    """
+    wanted = set(_leaves(annotation))
+    if wanted & {int, float} and bool not in wanted and Any not in wanted and _holds_truth(value):
+        raise ValueError("input should be a number, not true or false")
+
+
+def _leaves(annotation: Any) -> Iterator[Any]:
+    inner = get_args(annotation)
+    if get_origin(annotation) is Literal:
+        yield from map(type, inner)
+    elif inner:
+        yield from (leaf for arg in inner for leaf in _leaves(arg))
+    elif annotation is Any or isinstance(annotation, type):
+        yield annotation
+
+
+def _holds_truth(value: Any) -> bool:
+    return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_holds_truth, value)))
+
+
+def _problem(model: type[BaseModel], item: Any) -> str:
+    *above, last = item["loc"] or ("",)
+    path = ".".join(str(key) for key in item["loc"])
+    match item["type"]:
+        case "extra_forbidden":
+            return _unknown(model, item["loc"], path)
+        case "missing" if isinstance(last, int):
+            return f"option '{'.'.join(map(str, above))}': it has too few values, found {shown(item['input'])}."
+        case "missing":
+            return f"option '{path}' is required."
+        case "is_instance_of":
+            kind = item["ctx"]["class"]
+            return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
+        case "value_error":
+            said = str(item["ctx"]["error"]).rstrip(".")
+            return f"option '{path}': {said}, found {shown(item['input'])}." if path else f"{said}."
+    return f"option '{path}': {_expected(item)}, found {shown(item['input'])}{_near(item)}."
+
+
+def _unknown(model: type[BaseModel], location: tuple[int | str, ...], path: str) -> str:
+    holder = _holder(model, [key for key in location if isinstance(key, str)])
+    known = holder.model_fields if holder else {}
+    allowed = f" Options: {listing(known)}." if holder else ""
+    return f"unknown option '{path}'{suggestion(str(location[-1]), known)}.{allowed}"
+
+
+def _expected(item: Any) -> str:
+    said = str(item["msg"]).partition(", unable to parse")[0]
+    return f"{said[0].lower()}{said[1:]}"
+
+
+def _near(item: Any) -> str:
+    expected = item.get("ctx", {}).get("expected", "")
+    return suggestion(item["input"], re.findall(r"'([^']+)'", expected)) if isinstance(item["input"], str) else ""
+
+
+def _holder(model: type[BaseModel], path: list[str]) -> type[BaseModel] | None:
+    # The model in which the last key stands; None where the way there leads through something else.
+    if len(path) == 1:
+        return model
+    inner = model.model_fields[path[0]].annotation if path[0] in model.model_fields else None
+    nested = [item for item in (inner, *get_args(inner)) if isinstance(item, type) and issubclass(item, BaseModel)]
+    return _holder(nested[0], path[1:]) if len(nested) == 1 else None

@@ -1,0 +1,157 @@
+"""The base of everything that a pipeline names: options, life cycle, random stream, learned state."""
+
+from __future__ import annotations
+
+import abc
+from collections.abc import Iterator, Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, ValidationInfo, field_validator
+
+from tutorstudent.core.roles.binding import Binding, stream
+from tutorstudent.core.roles.option_problems import option_problems, refuse_truth
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError, listing, suggestion
+
+Learned = Mapping[str, Any]
+"""What was learned: arrays, numbers, strings, and mappings of these."""
+
+
+class Options(BaseModel):
+    """Configuration of a component. Unknown options are refused; give each field a description and a unit."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, validate_default=True)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        super().__pydantic_init_subclass__(**kwargs)
+        for name, field in cls.model_fields.items():
+            if isinstance(field.default, Component):
+                raise ContractError(
+                    f"{cls.__qualname__}.{name}: the default is a component, which all would share; "
+                    f"use Field(default_factory={type(field.default).__name__})."
+                )
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _no_truth_for_a_number(cls, value: Any, info: ValidationInfo) -> Any:
+        refuse_truth(cls.model_fields[str(info.field_name)].annotation, value)
+        return value
+
+
+class Component(abc.ABC):
+    """Something with a name, options and a place in a pipeline.
+
+    What to do when:
+
+    * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
+    * ``setup()``: once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
+    * ``reset()``: between trials: forget the episode, keep what was learned
+    * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
+    * ``close()``: once, at the end
+    """
+
+    role: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+
+    Options: ClassVar[type[BaseModel]] = Options
+
+    rng: np.random.Generator
+    slot: str = ""
+    action_class: type[Action]
+
+    def __init__(self, **options: Any) -> None:
+        try:
+            self.options: Any = self.Options(**options)
+        except ValidationError as error:
+            raise PipelineError(option_message(type(self), error)) from None
+
+    def bind(self, binding: Binding) -> None:
+        """Tell the component its place. Called once by the engine or the assembler; children first."""
+        if self.slot:
+            raise ContractError(
+                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make one for each place."
+            )
+        self.slot = binding.slot
+        self.action_class = binding.action
+        self.rng = stream(binding.seed, binding.slot)
+        for key, part in self.parts():
+            part.bind(binding._replace(slot=f"{binding.slot}.{key}"))
+        try:
+            self.setup()
+        except TutorStudentError as error:
+            error.slot = binding.slot
+            raise
+
+    def parts(self) -> Iterator[tuple[str, Component]]:
+        """Yield the nested components with the option that holds them."""
+        for key in type(self.options).model_fields:
+            value = getattr(self.options, key)
+            if isinstance(value, Component):
+                yield key, value
+            elif isinstance(value, list | tuple):
+                yield from ((f"{key}.{i}", item) for i, item in enumerate(value) if isinstance(item, Component))
+
+    def setup(self) -> None:  # noqa: B027 - an optional hook, deliberately concrete
+        """Prepare for work. Random stream, slot and action class are known here."""
+
+    def close(self) -> None:
+        """Let go of what `setup` opened."""
+        for _, part in self.parts():
+            part.close()
+
+    def state_dict(self) -> Learned:
+        """Return what was learned: arrays and plain values, by name."""
+        return {key: state for key, part in self.parts() if (state := part.state_dict())}
+
+    def load_state_dict(self, state: Learned) -> None:
+        """Take back what `state_dict` returned."""
+        nested = dict(self.parts())
+        for key, value in state.items():
+            if key not in nested:
+                raise ContractError(
+                    f"{self.role} '{self.name}' learned nothing named '{key}'{suggestion(key, nested)}; "
+                    f"it takes {listing(nested)}."
+                )
+            nested[key].load_state_dict(value)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""
+        return {"use": self.name} | {
+            key: _described(getattr(self.options, key)) for key in type(self.options).model_fields
+        }
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{key}={getattr(self.options, key)!r}" for key in sorted(self.options.model_fields_set))
+        return f"{type(self).__name__}({given})"
+
+
+class EnginePart(Component):
+    """A component that works inside the engine: it lives through trials."""
+
+    def reset(self) -> None:
+        """Forget the episode, keep what was learned."""
+        for _, part in self.parts():
+            if isinstance(part, EnginePart):
+                part.reset()
+
+
+def _described(value: Any) -> Any:
+    if isinstance(value, Component):
+        return value.describe()
+    if isinstance(value, BaseModel):
+        return {key: _described(getattr(value, key)) for key in type(value).model_fields}
+    if isinstance(value, list | tuple):
+        return [_described(item) for item in value]
+    if isinstance(value, Mapping):
+        return {key: _described(item) for key, item in value.items()}
+    return value
+
+
+def option_message(cls: type[Component], error: ValidationError) -> str:
+    """Say in one sentence what is wrong with a component's options."""
+    return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in option_problems(cls.Options, error))
+
+
+__all__ = ["Component", "EnginePart", "Field", "Learned", "Options", "option_message"]

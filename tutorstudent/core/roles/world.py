@@ -1,0 +1,67 @@
+"""Where a pipeline acts: a simulator, a plant, a robot."""
+
+from __future__ import annotations
+
+import abc
+from collections.abc import Mapping, Sequence
+from typing import ClassVar, Generic, Literal, NamedTuple
+
+from tutorstudent.core.roles.part import Component
+from tutorstudent.core.words.actions import Action, ActionT
+from tutorstudent.core.words.records import StateT
+
+Summary = Literal["sum", "max", "mean", "last"]
+Point = tuple[float, float]
+
+
+class Step(NamedTuple, Generic[StateT]):
+    """What one action led to."""
+
+    state: StateT
+    events: Mapping[str, float] = {}
+    """Ground truth that the state does not show, by the names in `World.event_names`."""
+    done: bool = False
+    """The trial has ended; the pending decision is still judged by this state."""
+    truncated: bool = False
+    """The trial was cut off; the pending decision teaches nothing."""
+
+
+class Sketch(NamedTuple):
+    """A drawing of a world in metres: what maps, trajectories and films are made from."""
+
+    polygons: Sequence[tuple[Sequence[Point], str]] = ()
+    """Outlines with a colour name."""
+    discs: Sequence[tuple[Point, float, str]] = ()
+    """Centre, radius, colour name."""
+    poses: Sequence[tuple[float, float, float, str]] = ()
+    """x, y, heading (rad, counter-clockwise from +x), colour name."""
+
+
+class World(Component, Generic[StateT, ActionT]):
+    """Something that actions change and that states describe.
+
+    A world hands out states that nobody changes afterwards: a new object each time, with read-only arrays.
+    """
+
+    role: ClassVar[str] = "world"
+    action: type[Action]
+    """The class of actions that it executes."""
+    goal_event: ClassVar[str] = ""
+    """The event of which a run is to have most: what comparisons take for achievement where no observer counts any."""
+
+    @property
+    def event_names(self) -> Mapping[str, Summary]:
+        """The events in `Step.events`, each with how a run summarizes it."""
+        return {}
+
+    @abc.abstractmethod
+    def reset(self, seed: int) -> StateT:
+        """Begin a trial and return its first state. The same seed begins the same trial."""
+
+    @abc.abstractmethod
+    def step(self, action: ActionT) -> Step[StateT]:
+        """Execute the action and return what it led to."""
+
+    def sketch(self) -> Sketch:
+        """Return a drawing of the world as it is now."""
+        return Sketch()

@@ -1,0 +1,70 @@
+"""Arrays on disk: .npz without pickle, and learned state as one level of arrays."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, unquote
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.words.errors import ContractError
+
+Arrays = dict[str, NDArray[Any]]
+
+
+def flat(state: Learned, prefix: str = "") -> Arrays:
+    """Return nested learned state as one level of arrays, keyed by path.
+
+    Within a key, whatever is not a letter, digit or one of ``_.-~`` is written as in a URL, so that every path is
+    another one and can be read back.
+
+    Raises:
+        ContractError: if a key is no string.
+
+    >>> {key: value.tolist() for key, value in flat({"student": {"w": [1.0], "n": 2}}).items()}
+    {'student/w': [1.0], 'student/n': 2}
+    >>> list(flat({"a/b": 1, "a": {"b": 2}}))
+    ['a%2Fb', 'a/b']
+    """
+    arrays: Arrays = {}
+    for key, value in state.items():
+        if not isinstance(key, str):
+            raise ContractError(f"the key {key!r} of learned state is no string; use strings.")
+        path = f"{prefix}{quote(key, safe='')}"
+        arrays |= flat(value, f"{path}/") if isinstance(value, Mapping) else {path: np.asarray(value)}
+    return arrays
+
+
+def nested(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return what `flat` was given; arrays without dimensions become plain values.
+
+    >>> nested(flat({"student": {"n": 2}, "decisions": 5}))
+    {'student': {'n': 2}, 'decisions': 5}
+    """
+    state: dict[str, Any] = {}
+    for path, array in arrays.items():
+        *parents, key = (unquote(word) for word in path.split("/"))
+        place = state
+        for parent in parents:
+            place = place.setdefault(parent, {})
+        place[key] = array.item() if array.ndim == 0 else array
+    return state
+
+
+def save_arrays(path: Path, arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Write arrays as a compressed .npz under any names; refuses anything that would need pickle."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, array in arrays.items():
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                np.lib.format.write_array(member, np.asanyarray(array), allow_pickle=False)
+
+
+def load_arrays(path: Path) -> Arrays:
+    """Read an .npz without pickle."""
+    with path.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
+        return {name: stored[f"{name}.npy"] for name in stored.files}

@@ -1,0 +1,77 @@
+"""The loop that joins an engine and a world: the only one in the package."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.roles.world import World
+from tutorstudent.core.running.observers import Begin, Observer
+from tutorstudent.core.words.errors import ContractError, listing, suggestion
+
+
+def trial_seed(seed: int, trial: int) -> int:
+    """Return the seed of a trial; trials of one run differ, and the same run has the same trials.
+
+    >>> trial_seed(7, 0) == trial_seed(7, 0), trial_seed(7, 0) == trial_seed(7, 1)
+    (True, False)
+    """
+    return int(np.random.SeedSequence([seed, trial]).generate_state(1)[0])
+
+
+def run(
+    engine: Engine[Any, Any, Any],
+    world: World[Any, Any],
+    decisions: int,
+    *,
+    seed: int = 0,
+    observers: Sequence[Observer] = (),
+) -> None:
+    """Turn the loop for `decisions` decisions, over as many trials as the world ends.
+
+    The engine keeps what it has learned before; its first trial here is a new one. A trial that is done is judged by
+    its last state (a crash is often only there); one that was cut off is not.
+
+    Raises:
+        ContractError: if the world does not execute the tutor's actions.
+    """
+    check_world(engine, world)
+    for observer in observers:
+        observer.begin(Begin(engine, world, decisions))
+    trial = 0
+    engine.reset()
+    state = world.reset(trial_seed(seed, trial))
+    for _ in range(decisions):
+        step = world.step(engine.propagate(state))
+        if step.truncated and not step.done:
+            engine.drop()
+        else:
+            engine.evaluate(step.state)
+        turn = engine.last
+        if turn is None:
+            raise ContractError("run(): the engine has no turn to show; it was reset from inside the loop.")
+        for observer in observers:
+            observer.observe(turn, step)
+        state = step.state
+        if step.done or step.truncated:
+            trial += 1
+            engine.reset()
+            state = world.reset(trial_seed(seed, trial))
+
+
+def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
+    """Refuse a world that does not execute the tutor's actions, or whose goal is none of its events."""
+    if not issubclass(engine.tutor.action, world.action):
+        raise ContractError(
+            f"world '{world.name}' executes {world.action.__name__} but tutor '{engine.tutor.name}' "
+            f"returns {engine.tutor.action.__name__}. Use a tutor and a world of one action class."
+        )
+    if world.goal_event and world.goal_event not in world.event_names:
+        near = suggestion(world.goal_event, world.event_names)
+        raise ContractError(
+            f"world '{world.name}': goal_event is '{world.goal_event}', which is none of its events{near}. "
+            f"Events: {listing(world.event_names)}. Name one of them, or leave goal_event empty."
+        )

@@ -1,0 +1,55 @@
+"""Carries what a student learned in one run into another (Thesis 5.2.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import AfterValidator
+
+from tutorstudent.core.roles.interfaces import Student
+from tutorstudent.core.roles.part import Learned
+from tutorstudent.core.running.arrays import Arrays, load_arrays, nested
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
+
+LearnedFile = Annotated[Path, AfterValidator(Path.absolute)]
+"""The ``learned.npz`` of a run; a path is read from the working directory, and named from anywhere once resolved."""
+REMEDY = "Give the learned.npz that a run of the same student left behind, by its path from the working directory."
+
+
+def transplant(path: Path, student: Student[Any, Any, Any]) -> None:
+    """Let a student begin with what the student of another run had learned; nothing else of that run is taken over.
+
+    Raises:
+        PipelineError: the file holds nothing that this student could take; says why.
+    """
+    learned = _of_student(path)
+    try:
+        student.load_state_dict(learned)
+    except TutorStudentError as error:
+        raise PipelineError(f"{path}: {error}") from None
+    except Exception as error:  # what a third party's load_state_dict() thinks of strange values
+        why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
+        raise PipelineError(f"{path}: student '{student.name}' cannot take it: {why}. {REMEDY}") from None
+
+
+def _of_student(path: Path) -> Learned:
+    try:
+        learned = nested(_arrays(path)).get("student")
+    except (TypeError, AttributeError):  # one name leads through another that is an array
+        learned = None
+    if not isinstance(learned, Mapping) or not learned:
+        raise PipelineError(f"{path}: it holds nothing that a student learned. {REMEDY}")
+    return learned
+
+
+def _arrays(path: Path) -> Arrays:
+    try:
+        return load_arrays(path)
+    except FileNotFoundError:
+        raise PipelineError(f"{path}: there is no such file. {REMEDY}") from None
+    except OSError as error:
+        raise PipelineError(f"{path}: cannot be read: {error.strerror or error}. {REMEDY}") from None
+    except Exception as error:  # numpy, zipfile and zlib each have errors of their own for what is damaged
+        raise PipelineError(f"{path}: this is no file of learned arrays ({type(error).__name__}). {REMEDY}") from None

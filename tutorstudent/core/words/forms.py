@@ -1,0 +1,127 @@
+"""How an owner's command is read as numbers, and written again in the owner's own type."""
+
+from __future__ import annotations
+
+import abc
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from tutorstudent.core.words.errors import ContractError, shown
+
+Numbers = list[float]
+
+
+class Form(abc.ABC):
+    """Reads a command as a fixed number of floats, and writes floats in the type of a command."""
+
+    @abc.abstractmethod
+    def read(self, command: Any) -> Numbers:
+        """Return the command's numbers.
+
+        Raises:
+            ContractError: if it is not of this form.
+        """
+
+    @abc.abstractmethod
+    def write(self, numbers: Numbers, like: Any) -> Any:
+        """Return a new command with these numbers, in the type of `like`, which `read` took; None where none was."""
+
+
+class PlainForm(Form):
+    """A number, or a list, tuple or numpy array of numbers."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+
+    def read(self, command: Any) -> Numbers:
+        if type(command) is float and self._size == 1:
+            return [command]
+        items = _items(command)
+        if len(items) != self._size or not all(map(is_number, items)):
+            several = f"a list, tuple or numpy array of {self._size} numbers"
+            raise ContractError(
+                f"the controller's command is {shown(command)}; expected {'a number' if self._size == 1 else several}. "
+                "Other commands are read by their names, as in ts.vector(-1, 1, names=['speed', 'turn']), "
+                "or by functions of yours: ts.scalar(-1, 1, read=..., write=...)."
+            )
+        return [plain_float(item, "it", command) for item in items]
+
+    def write(self, numbers: Numbers, like: Any) -> Any:
+        if like is None:
+            return numbers if self._size > 1 else numbers[0]
+        if isinstance(like, np.ndarray):
+            return np.array(numbers, dtype=like.dtype if like.dtype.kind == "f" else np.float64).reshape(like.shape)
+        if not isinstance(like, list | tuple):
+            return in_type_of(like, numbers[0])
+        items = [in_type_of(item, number) for item, number in zip(like, numbers, strict=True)]
+        if isinstance(like, tuple):
+            return like._make(items) if hasattr(like, "_make") else tuple(items)
+        return items
+
+
+class OwnForm(Form):
+    """A pair of the owner's own functions."""
+
+    def __init__(self, size: int, read: Callable[[Any], Any], write: Callable[[Any, Any], Any]) -> None:
+        self._plain, self._size = PlainForm(size), size
+        self._read, self._write = read, write
+
+    def read(self, command: Any) -> Numbers:
+        try:
+            found = self._read(command)
+        except Exception as error:
+            raise ContractError(
+                f"the controller's command is {shown(command)}: read= raised {type(error).__name__}: {error}."
+            ) from error
+        try:
+            return self._plain.read(found)
+        except ContractError:
+            wanted = "a number" if self._size == 1 else f"a list, tuple or numpy array of {self._size} numbers"
+            raise ContractError(
+                f"the controller's command is {shown(command)}: read= returned {shown(found)}; expected {wanted}."
+            ) from None
+
+    def write(self, numbers: Numbers, like: Any) -> Any:
+        written = self._write(like, numbers if self._size > 1 else numbers[0])
+        if written is None:
+            raise ContractError("write= returned nothing; it returns the command to execute, a new one.")
+        return written
+
+
+def in_type_of(like: Any, number: float) -> Any:
+    """Return a number in the type of one of the owner's; the owner's own where it is the same.
+
+    A whole number that was amplified is a float: rounding it could go beyond what was allowed.
+
+    >>> in_type_of(Decimal("0.5"), 0.55), in_type_of(3, 3.9), in_type_of(3, 3.0)
+    (Decimal('0.55'), 3.9, 3)
+    """
+    if type(like) is float or float(like) == number:
+        return number if type(like) is float else like
+    if isinstance(like, Decimal | Fraction):
+        return type(like)(repr(number))  # the shortest decimal, not the binary fraction next to it
+    return type(like)(number) if isinstance(like, float | np.floating) else number
+
+
+def _items(command: Any) -> list[Any]:
+    if isinstance(command, np.ndarray) and command.dtype.kind in "fiu":
+        values: list[Any] = command.ravel().tolist()
+        return values
+    return list(command) if isinstance(command, list | tuple) else [command]
+
+
+def is_number(item: Any) -> bool:
+    """Return whether an item is one number; a bool, a string or an array is none."""
+    return isinstance(item, float | int | np.floating | np.integer | Decimal | Fraction) and not isinstance(item, bool)
+
+
+def plain_float(item: Any, name: str, command: Any) -> float:
+    """Return a number that was found in a command as a float; `name` says where, for the message."""
+    try:
+        return float(item)
+    except (OverflowError, ValueError):
+        raise ContractError(f"the controller's command is {shown(command)}: {name} is no finite float.") from None

@@ -1,0 +1,99 @@
+"""Commands that are objects or mappings: their numbers are found by name, and changed in a copy."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic import BaseModel
+
+from tutorstudent.core.words.errors import ContractError, listing, shown, suggestion
+from tutorstudent.core.words.forms import Form, Numbers, in_type_of, is_number, plain_float
+
+Path = tuple[str, ...]
+
+
+class NamedForm(Form):
+    """An object whose attributes, or a mapping whose keys, are the numbers; ``linear.x`` is the x of its linear."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self._paths: list[Path] = [tuple(name.split(".")) for name in names]
+
+    def read(self, command: Any) -> Numbers:
+        return [self._number(command, path) for path in self._paths]
+
+    def write(self, numbers: Numbers, like: Any) -> Any:
+        if like is None:
+            raise ContractError(
+                f"the controller has returned no command yet in which '{'.'.join(self._paths[0])}' could be written; "
+                "give write=, which is then asked to write in None."
+            )
+        return _with(like, dict(zip(self._paths, numbers, strict=True)))
+
+    def _number(self, command: Any, path: Path) -> float:
+        found = command
+        for step in path:
+            found = _member(found, step, command)
+        name = f"'{'.'.join(path)}'"
+        if not is_number(found):
+            raise ContractError(
+                f"the controller's command is {shown(command)}: {name} is {shown(found)}, not a number."
+            )
+        return plain_float(found, name, command)
+
+
+def _member(owner: Any, step: str, command: Any) -> Any:
+    try:
+        return _get(owner, step)
+    except (AttributeError, KeyError):
+        keys = owner if isinstance(owner, Mapping) else [name for name in dir(owner) if not name.startswith("_")]
+        known = [str(key) for key in keys]
+        raise ContractError(
+            f"the controller's command is {shown(command)}: {type(owner).__name__} has no '{step}'"
+            f"{suggestion(step, known)}; it has {listing(known)}."
+        ) from None
+    except Exception as error:
+        raise ContractError(
+            f"the controller's command is {shown(command)}: reading '{step}' raised {type(error).__name__}: {error}."
+        ) from error
+
+
+def _get(owner: Any, step: str) -> Any:
+    if not isinstance(owner, Mapping):
+        return getattr(owner, step)
+    if step not in owner:  # a defaultdict would make it up, and keep it
+        raise KeyError(step)
+    return owner[step]
+
+
+def _with(owner: Any, numbers: Mapping[Path, float]) -> Any:
+    """Return a copy of an owner's object with other numbers; what lies on the way to them is copied too."""
+    inside: dict[str, dict[Path, float]] = {}
+    for (step, *rest), number in numbers.items():
+        inside.setdefault(step, {})[tuple(rest)] = number
+    changes = {}
+    for step, below in inside.items():
+        own = _get(owner, step)
+        changes[step] = in_type_of(own, below[()]) if () in below else _with(own, below)
+    return _replaced(owner, changes)
+
+
+def _replaced(owner: Any, changes: dict[str, Any]) -> Any:
+    """Return a copy with other members, made the way that the owner's type makes copies; it may refuse."""
+    if isinstance(owner, BaseModel):
+        return owner.model_copy(update=changes)
+    if dataclasses.is_dataclass(owner) and not isinstance(owner, type):
+        return dataclasses.replace(owner, **changes)
+    if isinstance(owner, tuple) and hasattr(owner, "_replace"):
+        return owner._replace(**changes)
+    if hasattr(type(owner), "__replace__"):  # the protocol of copy.replace
+        return owner.__replace__(**changes)
+    copied: Any = copy.copy(owner)
+    for name, value in changes.items():
+        if isinstance(owner, Mapping):
+            copied[name] = value
+        else:
+            setattr(copied, name, value)
+    return copied

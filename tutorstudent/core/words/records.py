@@ -1,0 +1,97 @@
+"""What the engine remembers of one decision (Thesis 3.2.3 a-e and A-C).
+
+All records are immutable tuples. The tutor's action in them is a copy; the engine keeps the original to itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Generic, NamedTuple, TypeVar
+
+from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.proposals import Proposal
+
+StateT = TypeVar("StateT")
+
+Margins = Mapping[str, tuple[float, ...]]
+
+
+class Moment(NamedTuple, Generic[StateT, ActionT]):
+    """What is known at the moment of a decision; what students and encoders are given."""
+
+    number: int
+    """Decision number, counted from 0 over all trials."""
+    state: StateT
+    tutor_action: ActionT
+    situation: str
+    """What the tutor says it is in; empty where it says nothing."""
+
+
+class GradedAction(NamedTuple, Generic[ActionT]):
+    """The tutor's action with an amplification level and an ampbit (Thesis 3.3.2)."""
+
+    action: ActionT
+    level: int
+    ampbit: bool
+
+
+class Decision(NamedTuple, Generic[StateT, ActionT]):
+    """One turn of the loop before its outcome is known."""
+
+    moment: Moment[StateT, ActionT]
+    selected: GradedAction[ActionT]
+    resulting: GradedAction[ActionT]
+    executed: ActionT
+    """What was executed: the rendered resulting action, or what `Engine.executed` reported."""
+    proposal: Proposal | None
+    """What the student proposed; None where it was not asked or failed."""
+
+    @property
+    def amplified(self) -> bool:
+        """True if the amplifier raised the level in this decision."""
+        return self.resulting.level > self.selected.level
+
+
+class Outcome(NamedTuple, Generic[StateT]):
+    """What a decision led to, as the operational conditions see it."""
+
+    state: StateT
+    violated: tuple[str, ...]
+    """Names of the violated conditions, in the order of the pipeline."""
+    margins_before: Margins | None
+    """Margins of the previous state; None where that state was never judged."""
+    margins: Margins
+    """Margins of the resulting state, for the conditions that declare any; 0 means violated."""
+
+
+class Lesson(NamedTuple, Generic[StateT, ActionT]):
+    """What the evaluator teaches: the moment, the target, and the evidence behind it."""
+
+    moment: Moment[StateT, ActionT]
+    target: GradedAction[ActionT]
+    executed_level: int
+    executed: ActionT
+    outcome: Outcome[StateT]
+
+
+class Incident(NamedTuple):
+    """Something that a part did and that its contract forbids."""
+
+    decision: int
+    part: str
+    """Slot path of the part, for example ``student``."""
+    kind: str
+    """``raised``, ``wrong-return``, ``mutated``, ``not-finite`` or ``out-of-bounds``."""
+    message: str
+
+
+class Turn(NamedTuple, Generic[StateT, ActionT]):
+    """One decision with all that became of it; what observers see."""
+
+    decision: Decision[StateT, ActionT]
+    outcome: Outcome[StateT] | None
+    """None while the outcome is not known, and for decisions that were dropped."""
+    lesson: Lesson[StateT, ActionT] | None
+    incidents: tuple[Incident, ...]
+    void: str
+    """Why the decision teaches nothing, or empty."""

@@ -1,0 +1,1 @@
+"""Numbers of one row of runs, and of two held against each other."""

@@ -1,0 +1,164 @@
+"""Which variant is held against which, and what comes out: paired differences in families of tests."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from tutorstudent.study.numbers.measures import WAY, Measure, harm, per_way
+from tutorstudent.study.numbers.pairs import Difference, Improvement, paired
+from tutorstudent.study.numbers.significance import holm, sign_flip
+from tutorstudent.study.plans.plan import Environment, Variant
+from tutorstudent.study.runs.results import Run, Study
+
+
+class Comparison(NamedTuple):
+    """One variant against another, in one measure."""
+
+    environment: str
+    variant: Variant
+    against: str
+    measure: Measure
+    difference: Difference
+    correlation: float | None
+    improvement: Improvement
+    p: float | None
+    """None where nothing is tested: nothing is claimed of controls, and one pair says nothing."""
+    p_holm: float | None
+    """Corrected for all tests of its family."""
+
+
+class Family(NamedTuple):
+    """All comparisons of one kind over all environments; their p values are corrected together."""
+
+    title: str
+    comparisons: tuple[Comparison, ...]
+
+    @property
+    def tests(self) -> int:
+        """How many of the comparisons are tested."""
+        return sum(item.p is not None for item in self.comparisons)
+
+
+class Contest(NamedTuple):
+    """One variant against another, in one environment."""
+
+    environment: str
+    variant: Variant
+    against: str
+
+
+def families(study: Study) -> list[Family]:
+    """Return what can be compared to the tutor alone and to the controls: what was found, and what it cost."""
+    rivals = {"Differences to the tutor alone": to_the_tutor, "Differences to the controls": to_the_controls}
+    made: dict[str, list[Comparison]] = {}
+    for title, contests in rivals.items():
+        for environment in study.plan.environments:
+            runs = [run for run in study.runs if run.environment == environment.name]
+            for about, measures in compared(environment, runs).items():
+                held = _compare_all(study, contests(environment), measures)
+                made.setdefault(f"{title}: {about}", []).extend(held)
+    return [Family(title, corrected(found)) for title, found in made.items() if found]
+
+
+def compared(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Measure]]:
+    """Return what is compared: counts, and the same by the way travelled, which driving faster does not raise."""
+    counters, cost = environment.counters(), harm(runs)
+    measures = {
+        "what was found": [
+            *(Measure(name, name, better=1) for name in counters),
+            *(per_way(name, name, better=1) for name in counters if name != WAY),
+        ],
+        "what it cost": [cost, per_way(cost.title, cost.key, better=-1)],
+    }
+    return {about: [item for item in found if item.known(runs)] for about, found in measures.items()}
+
+
+def to_the_tutor(environment: Environment) -> list[Contest]:
+    """Return every variant and control against the tutor alone; none where that does not run."""
+    reference = environment.reference
+    others = [variant for variant in environment.variants if variant.name != reference]
+    return [Contest(environment.name, variant, reference) for variant in others if reference]
+
+
+def to_the_controls(environment: Environment) -> list[Contest]:
+    """Return every variant that is no control against every control; the tutor alone is neither."""
+    there = [variant for variant in environment.variants if variant.name != environment.reference]
+    controls = [variant.name for variant in there if variant.control]
+    return [Contest(environment.name, item, name) for item in there if not item.control for name in controls]
+
+
+def corrected(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
+    """Return the comparisons as one family of tests."""
+    ps = iter(holm([item.p for item in comparisons if item.p is not None]))
+    return tuple(item if item.p is None else item._replace(p_holm=next(ps)) for item in comparisons)
+
+
+def _compare_all(study: Study, contests: Sequence[Contest], measures: Sequence[Measure]) -> list[Comparison]:
+    found = [_compare(study, contest, measure) for measure in measures for contest in contests]
+    return [item for item in found if item is not None]
+
+
+def _compare(study: Study, contest: Contest, measure: Measure) -> Comparison | None:
+    ours = measure.by_seed(study.of(contest.environment, contest.variant.name))
+    pairs = paired(ours, measure.by_seed(study.of(contest.environment, contest.against)))
+    if pairs is None:
+        return None
+    return Comparison(
+        *contest,
+        measure,
+        pairs.difference(),
+        pairs.correlation(),
+        pairs.improvement(measure.better),
+        p=None if contest.variant.control else sign_flip(pairs.differences),
+        p_holm=None,
+    )
+
+
+HEADER = (
+    "environment",
+    "variant",
+    "against",
+    "measure",
+    "pairs",
+    "mean",
+    "low",
+    "high",
+    "r",
+    "p_improve",
+    "p_improve_low",
+    "p_improve_high",
+    "p",
+    "p_holm",
+)
+
+
+def write_differences(path: Path, families: Sequence[Family]) -> None:
+    """Write all comparisons as CSV; what does not exist is empty.
+
+    ``low`` and ``high`` are the 95 % BCa interval of the mean difference, ``p_improve`` is the share of pairs in which
+    the variant was better, ``p_holm`` is corrected within the family, see `tutorstudent.study.numbers.comparisons`.
+    """
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(HEADER)
+        writer.writerows(_row(item) for family in families for item in family.comparisons)
+
+
+def _row(item: Comparison) -> list[str | float | None]:
+    return [
+        item.environment,
+        item.variant.name,
+        item.against,
+        item.measure.title,
+        item.difference.pairs,
+        item.difference.mean,
+        *(item.difference.interval or ("", "")),
+        item.correlation,
+        item.improvement.share,
+        *item.improvement.interval,
+        item.p,
+        item.p_holm,
+    ]

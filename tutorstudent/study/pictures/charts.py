@@ -1,0 +1,112 @@
+"""Small charts of curves, written as SVG without any library: a page has hundreds of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from html import escape
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from tutorstudent.study.numbers.curves import Curve
+from tutorstudent.study.pictures.scales import LONG_LABEL, is_long_tailed, long_share, long_ticks
+
+WIDTH_PX, HEIGHT_PX, LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 240, 170, 28, 10, 20, 20
+LABEL_PX = 12
+"""Wider on the left where the scale has to be explained."""
+STEPS = [1, 2, 2.5, 5, 10]
+
+
+class Axis(NamedTuple):
+    """One scale, the same for all charts of a row."""
+
+    limit: float
+    """It reaches from 0 to here."""
+    ticks: tuple[tuple[float, str], ...]
+    """Values and how they are written."""
+    share: Callable[[Curve], Curve]
+    """How far along values stand, 0 to 1 at the limit."""
+    label: str = ""
+
+
+def across(decisions: float) -> Axis:
+    """Return the scale of decisions."""
+    ticks = MaxNLocator(4, integer=True, steps=STEPS).tick_values(0, decisions)
+    shown = tuple(
+        (tick, f"{tick / 1000:g}k" if tick >= 1000 else f"{tick:g}") for tick in ticks if 0 <= tick <= decisions
+    )
+    return Axis(decisions, shown, lambda values: values / decisions)
+
+
+def upward(highest: Sequence[float]) -> Axis:
+    """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above."""
+    top = max([1.0, *highest])
+    limit = top * 1.04
+    if is_long_tailed(highest):
+        return Axis(limit, _written(long_ticks(top, (5, 10))), lambda values: long_share(values, limit), LONG_LABEL)
+    ticks = MaxNLocator(5, integer=True, steps=STEPS).tick_values(0, top)
+    return Axis(limit, _written([tick for tick in ticks if 0 <= tick <= limit]), lambda values: values / limit)
+
+
+def _written(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
+    return tuple((float(tick), f"{tick:g}") for tick in ticks)
+
+
+class Chart:
+    """Curves over decisions. What they look like stands in the page's style sheet.
+
+    >>> chart = Chart(across(10.0), upward([4.0]))
+    >>> chart.add_curve(np.array([0.0, 10.0]), np.array([0.0, 4.0]), "run", "red")
+    >>> '<path class="run" style="stroke:red" d="M28 150L230 25"/>' in chart.svg("2A", "red", "What it shows")
+    True
+    """
+
+    def __init__(self, along: Axis, up: Axis) -> None:
+        self._along, self._up = along, up
+        self._left_px = LEFT_PX + (LABEL_PX if up.label else 0)
+        self._curves: list[str] = []
+
+    def add_curve(self, at: Curve, values: Curve, kind: str, colour: str) -> None:
+        """Add a curve; `kind` is its class in the style sheet, `colour` a CSS colour."""
+        xs, ys = self._x(at), self._y(values)
+        points = "L".join(f"{x:.4g} {y:.4g}" for x, y in zip(xs, ys, strict=True))
+        self._curves.append(f'<path class="{kind}" style="stroke:{colour}" d="M{points}"/>')
+
+    def svg(self, title: str, colour: str, alt: str) -> str:
+        """Return the chart as an element; `alt` says what it shows."""
+        return (
+            f'<svg role="img" aria-label="{escape(alt)}" class="chart" viewBox="0 0 {WIDTH_PX} {HEIGHT_PX}">'
+            f'<text class="title" style="fill:{colour}" x="{self._left_px}" y="14">{escape(title)}</text>'
+            f"{self._scales()}{''.join(self._curves)}</svg>"
+        )
+
+    def _scales(self) -> str:
+        bottom, right = HEIGHT_PX - BOTTOM_PX, WIDTH_PX - RIGHT_PX
+        xs = self._x(np.array([tick for tick, _ in self._along.ticks]))
+        ys = self._y(np.array([tick for tick, _ in self._up.ticks]))
+        grid = "".join(f"M{self._left_px} {y:.4g}H{right}" for y in ys)
+        marks = "".join(f"M{x:.4g} {bottom}v3.5" for x in xs)
+        under = zip(xs, self._along.ticks, strict=True)
+        beside = zip(ys, self._up.ticks, strict=True)
+        return (
+            f'<path class="grid" d="{grid}"/>'
+            f'<path class="axis" d="M{self._left_px} {TOP_PX}V{bottom}H{right}{marks}"/>'
+            + "".join(f'<text class="under" x="{x:.4g}" y="{bottom + 13}">{text}</text>' for x, (_, text) in under)
+            + "".join(
+                f'<text class="beside" x="{self._left_px - 5}" y="{y + 3:.4g}">{text}</text>' for y, (_, text) in beside
+            )
+            + self._explanation()
+        )
+
+    def _explanation(self) -> str:
+        middle = (TOP_PX + HEIGHT_PX - BOTTOM_PX) / 2
+        text = f'<text class="along" transform="translate(9 {middle:g}) rotate(-90)">{escape(self._up.label)}</text>'
+        return text if self._up.label else ""
+
+    def _x(self, decisions: Curve) -> Curve:
+        return self._left_px + self._along.share(decisions) * (WIDTH_PX - RIGHT_PX - self._left_px)
+
+    def _y(self, values: Curve) -> Curve:
+        bottom = HEIGHT_PX - BOTTOM_PX
+        return bottom - self._up.share(values) * (bottom - TOP_PX)

@@ -1,0 +1,135 @@
+"""Pictures that belong together, with what has to be known to read them, as HTML."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterable
+from html import escape
+from typing import NamedTuple
+
+from tutorstudent.core.roles.world import Sketch
+from tutorstudent.study.numbers.curves import covers, middles, thinned
+from tutorstudent.study.numbers.traces import MATCH, Traces
+from tutorstudent.study.pictures.film import Film, film
+from tutorstudent.study.pictures.harms import harm_map
+from tutorstudent.study.pictures.maps import level_scale, way_map
+from tutorstudent.study.pictures.palette import Palette
+from tutorstudent.study.pictures.panels import Bundle, panels
+from tutorstudent.study.plans.plan import Environment
+
+
+class Gallery(NamedTuple):
+    """Pictures in a row, or in several."""
+
+    title: str
+    note: str
+    """How to read them, HTML."""
+    layout: str
+    """Class of the style sheet: ``pair``, ``wide``, ``film`` or ``film maps``."""
+    figures: list[str]
+    """HTML elements."""
+
+
+def gallery_html(gallery: Gallery) -> str:
+    """Return a gallery with its heading."""
+    shown = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
+    note = f'<p class="note">{gallery.note}</p>'
+    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'
+
+
+def rate_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
+    """Yield a gallery for each rate: the counters, the harm, the level, and how often the student named the kind."""
+    covered = covers(decisions)
+    for title in traces.measures.rates():
+        bundle = Bundle(title, middles(decisions), f"In the last {covered}", traces.rates(title), environment.reference)
+        about = f" {escape(NAMING)}" if title == MATCH else ""
+        note = f"Each point covers {covered}. {_lines(environment, bundle)}{about}"
+        yield Gallery(_capital(title), note, "film", panels(bundle, palette))
+
+
+def total_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
+    """Yield a gallery for each thing that is counted."""
+    at = thinned(decisions) + 1.0
+    for title in (*traces.measures.counters, traces.measures.harm_total()):
+        bundle = Bundle(title, at, "At the end of each run", traces.totals(title), environment.reference)
+        yield Gallery(_capital(title), _lines(environment, bundle), "film", panels(bundle, palette))
+
+
+NAMING = (
+    "Share of the decisions in which the student named the tutor's kind of action; only of students that name kinds."
+)
+
+
+def _lines(environment: Environment, bundle: Bundle) -> str:
+    known = environment.reference and bundle.curves.get(environment.reference)
+    dashed = f" Dashed: the mean of {escape(environment.reference)}." if known else ""
+    return f"Thin: every run. Thick: their mean.{dashed}"
+
+
+def _capital(title: str) -> str:
+    return title[:1].upper() + title[1:]
+
+
+def way_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int, palette: Palette) -> Gallery:
+    """Return the way of the first run of the tutor alone and of every variant that is no control."""
+    names = [variant.name for variant in environment.variants if not variant.control]
+    if environment.reference:
+        names = [environment.reference, *(name for name in names if name != environment.reference)]
+    drawn = [way_map(name, sketch, traces.firsts[name], palette) for name in names if name in traces.firsts]
+    bars = "".join(f'<i style="background:{colour}"></i>' for colour in level_scale())
+    note = (
+        f"The run with seed {seed}, the first, not a chosen one; bodies stand where they begin. "
+        f'<span class="key">Amplification level 0 <span class="scale">{bars}</span> 8</span>'
+    )
+    return Gallery("Where it drove", note, "film maps", [picture for picture in drawn if picture is not None])
+
+
+def harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Gallery:
+    """Return where every variant and control was harmed."""
+    drawn = [
+        harm_map(name, sketch, found, traces.firsts.get(name), palette) for name, found in traces.by_variant.items()
+    ]
+    collided = traces.measures.harm == "collided"
+    note = (
+        f"Every {escape(traces.measures.harm)} decision of all runs is a dot where the robot stood then"
+        f"{', a ring where a contact began' if collided else ''}; the more there are, the fainter each. "
+        "In the background the way of the first run; bodies stand where they begin."
+    )
+    title = "Where it collided" if collided else "Where conditions were violated"
+    return Gallery(title, note, "film", [picture for picture in drawn if picture is not None])
+
+
+def film_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int) -> Gallery:
+    """Return the film of the first run of the first learner; a gallery without pictures if there is nothing to see."""
+    name = _first_learner(environment)
+    if name not in traces.firsts:
+        return Gallery("Film", "", "cinema", [])
+    title, measures = f"{name}, seed {seed}", traces.measures
+    taken = film(title, sketch, traces.firsts[name], measures.counters, measures.harm)
+    if taken is None:
+        return Gallery("Film", "", "cinema", [])
+    return Gallery("Film", _caption(taken, title, measures.harm), "cinema", [_figure(taken, title)])
+
+
+def _first_learner(environment: Environment) -> str:
+    given = [variant.name for variant in environment.variants if not variant.control]
+    return next((name for name in given if name != environment.reference), "")
+
+
+def _caption(taken: Film, title: str, harm: str) -> str:
+    speed = "" if taken.time_lapse is None else f", {taken.time_lapse:.0f} times as fast as it was"
+    return (
+        f"{escape(title)}, the first run: decisions {taken.first:,} to {taken.last:,}{speed}. Lines have the colour of "
+        f"the level; a ring is a {escape(harm)} decision. Only the learner's pose is recorded: outlines are where "
+        "robots begin."
+    )
+
+
+def _figure(taken: Film, title: str) -> str:
+    width, height = taken.size
+    alike = f'width="{width}" height="{height}" alt="{escape(title)}, seen from above, '
+    return (
+        f'<img class="still" {alike}at the end." src="data:image/png;base64,{b64encode(taken.still).decode()}">'
+        f"<details><summary>Play the film ({taken.duration_s:.0f} s)</summary>"
+        f'<img {alike}as it drives." src="data:image/gif;base64,{b64encode(taken.gif).decode()}"></details>'
+    )

@@ -1,0 +1,48 @@
+"""What happened over the decisions: for each variant a small panel with every run, all on one scale."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tutorstudent.study.numbers.curves import Curve
+from tutorstudent.study.pictures.charts import Axis, Chart, across, upward
+from tutorstudent.study.pictures.palette import Palette
+
+
+class Bundle(NamedTuple):
+    """One measure over the decisions of every run, by variant."""
+
+    title: str
+    at: Curve
+    """In decisions: where the points of every curve stand, shape (points,)."""
+    last: str
+    """What the last point is about."""
+    curves: Mapping[str, Sequence[Curve]]
+    """By variant, in the order of the tables; a curve has shape (points,)."""
+    reference: str
+    """Variant whose mean is drawn into every panel; empty for none."""
+
+
+def panels(bundle: Bundle, palette: Palette) -> list[str]:
+    """Return an SVG for each variant that has runs."""
+    up = upward([float(curve.max()) for curves in bundle.curves.values() for curve in curves])
+    # The middles of bins begin half a bin after 0 and end as much before the end.
+    along = across(float(bundle.at[-1] + bundle.at[0]))
+    return [_panel(bundle, name, (along, up), palette) for name, curves in bundle.curves.items() if curves]
+
+
+def _panel(bundle: Bundle, name: str, axes: tuple[Axis, Axis], palette: Palette) -> str:
+    chart = Chart(*axes)
+    curves = bundle.curves[name]
+    for curve in curves:
+        chart.add_curve(bundle.at, curve, "run", palette.css(name))
+    chart.add_curve(bundle.at, np.mean(curves, axis=0), "mean", palette.css(name))
+    reference = bundle.curves.get(bundle.reference)
+    if reference and name != bundle.reference:
+        chart.add_curve(bundle.at, np.mean(reference, axis=0), "reference", "var(--ink)")
+    ends = ", ".join(f"{curve[-1]:.4g}" for curve in curves)
+    alt = f"{bundle.title} over decisions, {name}. {bundle.last}: {ends}."
+    return chart.svg(name, palette.css(name), alt)

@@ -1,0 +1,179 @@
+"""The frames of a film: the learner from above, its way by level, where it collided, and what was counted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.font_manager import findfont
+from matplotlib.path import Path as Outline
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+from tutorstudent.core.roles.world import Point, Sketch
+from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.study.numbers.curves import Curve, counted, event, harmed, places, total
+from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, level_scale
+from tutorstudent.study.pictures.palette import FLOOR, HARM, MAP_COLOURS, WALL
+
+BODY_M, BODY_PX = 0.2, 5
+"""Radius of the disc that stands for the learner, and the least that can be seen."""
+LETTERS_PX = 13
+
+
+class Shot(NamedTuple):
+    """What a film shows, decision by decision."""
+
+    title: str
+    places: NDArray[np.float64]
+    """Shape (decisions, 2), metres."""
+    headings_rad: Curve | None
+    levels: NDArray[np.int_]
+    colours: Sequence[str]
+    """Of each decision's level."""
+    harmed: NDArray[np.bool_]
+    trial_ended: NDArray[np.bool_]
+    counts: Mapping[str, Curve]
+    """By title: how often it had happened."""
+
+
+def shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str) -> Shot | None:
+    """Return what a film of a run shows; None if the world does not say where the robot is."""
+    where = places(arrays)
+    if where is None:
+        return None
+    scale, levels = level_scale(), np.minimum(arrays["resulting_level"], HIGHEST_LEVEL)
+    found = {name: counted(arrays, name, situation) for name, situation in counters.items()}
+    counts = {name: total(values) for name, values in found.items() if values is not None}
+    hurt = harmed(arrays)
+    return Shot(
+        title,
+        where,
+        event(arrays, "heading_rad"),
+        arrays["resulting_level"],
+        [scale[level] for level in levels],
+        hurt,
+        arrays["trial_ended"].astype(bool),
+        counts | {harm: total(hurt)},
+    )
+
+
+def frames(shown: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Image.Image]:
+    """Yield about `count` frames, from decision `first` (counted from 0) to the end of the run."""
+    seen = view(sketch, shown.places)
+    canvas = stage(sketch, seen)
+    step = math.ceil((len(shown.levels) - first) / count)
+    for begin in range(first, len(shown.levels), step):
+        end = min(begin + step, len(shown.levels))
+        for decision in range(begin, end):
+            _add(ImageDraw.Draw(canvas), shown, seen, decision, is_first=decision == first)
+        frame = canvas.copy()
+        _draw_learner(ImageDraw.Draw(frame), shown, seen, end - 1)
+        _write(ImageDraw.Draw(frame), shown, end - 1)
+        yield frame.reduce(FINER)
+
+
+def _add(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int, *, is_first: bool) -> None:
+    x, y = seen.at(*shown.places[decision])
+    if not is_first and not shown.trial_ended[decision - 1]:
+        draw.line([seen.at(*shown.places[decision - 1]), (x, y)], fill=shown.colours[decision], width=FINER + 1)
+    if shown.harmed[decision]:
+        reach = 4.5 * FINER
+        draw.ellipse((x - reach, y - reach, x + reach, y + reach), outline=HARM, width=FINER + 1)
+
+
+def _draw_learner(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int) -> None:
+    x, y = seen.at(*shown.places[decision])
+    reach = max(BODY_M * seen.fine_px_per_m, BODY_PX * FINER)
+    draw.ellipse((x - reach, y - reach, x + reach, y + reach), fill=MAP_COLOURS["green"])
+    if shown.headings_rad is not None:
+        heading = shown.headings_rad[decision]
+        tip = (x + 1.5 * reach * math.cos(heading), y - 1.5 * reach * math.sin(heading))
+        draw.line([(x, y), tip], fill="black", width=FINER + 1)
+
+
+def _write(draw: ImageDraw.ImageDraw, shown: Shot, decision: int) -> None:
+    """Write two lines above the picture: what it is and when, and what was counted by then."""
+    left, right, first, second = FINER * MARGIN_PX, draw.im.size[0] - FINER * MARGIN_PX, FINER * 5, FINER * 24
+    counted = "   ".join(f"{name} {counts[decision]:.0f}" for name, counts in shown.counts.items())
+    draw.text((left, first), shown.title, font=_font("bold"), fill="black")
+    draw.text((right, first), f"decision {decision + 1:,}", font=_font("normal"), fill="black", anchor="ra")
+    draw.text((left, second), counted, font=_font("normal"), fill="black")
+    level, room = f"level {shown.levels[decision]}", FINER * 2
+    reach = _font("normal").getlength(level) + 3 * room
+    swatch = (right - reach - FINER * LETTERS_PX, second + room, right - reach, second + FINER * LETTERS_PX + room)
+    draw.rectangle(swatch, fill=shown.colours[decision])
+    draw.text((right, second), level, font=_font("normal"), fill="black", anchor="ra")
+
+
+@cache
+def _font(weight: str) -> ImageFont.FreeTypeFont:
+    return ImageFont.truetype(findfont(f"DejaVu Sans:{weight}"), FINER * LETTERS_PX)
+
+
+WIDTH_PX, HEAD_PX, MARGIN_PX = 480, 46, 10
+FINER = 2
+"""Frames are drawn this many times larger and made smaller, so that lines are smooth."""
+HIGHEST_PX = 640
+
+
+class View(NamedTuple):
+    """Where metres stand on a frame, counted in fine pixels."""
+
+    fine_px_per_m: float
+    left_m: float
+    top_m: float
+    size: tuple[int, int]
+    """Of the fine frame."""
+
+    def at(self, x_m: float, y_m: float) -> Point:
+        """Return the place of a point."""
+        margin = FINER * MARGIN_PX
+        x = margin + (x_m - self.left_m) * self.fine_px_per_m
+        return x, margin + FINER * HEAD_PX + (self.top_m - y_m) * self.fine_px_per_m
+
+
+def view(sketch: Sketch, way: NDArray[np.float64]) -> View:
+    """Return a view that holds the world and the way through it, shape (n, 2), metres."""
+    points = np.array([point for outline, _ in sketch.polygons for point in outline], dtype=np.float64).reshape(-1, 2)
+    discs = [(x + side * radius, y + side * radius) for (x, y), radius, _ in sketch.discs for side in (-1, 1)]
+    every = np.concatenate([points, np.reshape(discs, (-1, 2)), way])
+    (left, bottom), (right, top) = np.nanmin(every, axis=0), np.nanmax(every, axis=0)
+    width_m, height_m = max(right - left, 1e-3), max(top - bottom, 1e-3)
+    room = WIDTH_PX - 2 * MARGIN_PX
+    scale = min(room / width_m, (HIGHEST_PX - 2 * MARGIN_PX) / height_m)
+    height_px = math.ceil(height_m * scale) + 2 * MARGIN_PX + HEAD_PX
+    spare_m = (room / scale - width_m) / 2
+    size = (FINER * WIDTH_PX, FINER * height_px)
+    return View(FINER * scale, float(left) - spare_m, float(top), size)
+
+
+def stage(sketch: Sketch, seen: View) -> Image.Image:
+    """Return a fine frame with the world alone; robots, which do not stay where they begin, are outlines."""
+    image = Image.new("RGB", seen.size, FLOOR)
+    draw = ImageDraw.Draw(image)
+    draw.rectangle((0, 0, seen.size[0], FINER * HEAD_PX), fill="white")
+    for outline, colour in sketch.polygons:
+        _draw_outline(draw, [seen.at(*point) for point in outline], colour, moves=_is_robot(outline, sketch))
+    for (x_m, y_m), radius_m, colour in sketch.discs:
+        (x, y), radius = seen.at(x_m, y_m), radius_m * seen.fine_px_per_m
+        draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=MAP_COLOURS.get(colour, WALL))
+    return image
+
+
+def _draw_outline(draw: ImageDraw.ImageDraw, points: Sequence[Point], colour: str, *, moves: bool) -> None:
+    body = MAP_COLOURS.get(colour)
+    if body and not moves:
+        draw.polygon(points, fill=body)
+    else:
+        draw.line([*points, points[0]], fill=body or WALL, width=FINER if moves else FINER + 1, joint="curve")
+
+
+def _is_robot(outline: Sequence[Point], sketch: Sketch) -> bool:
+    # The outline of a whole arena holds poses too; a robot's is no larger than a metre or so.
+    size_m = np.ptp(np.asarray(outline), axis=0).max()
+    path = Outline(np.asarray(outline))
+    return bool(size_m < 1.5 and any(path.contains_point((x, y)) for x, y, _, _ in sketch.poses))

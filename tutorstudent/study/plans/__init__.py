@@ -1,0 +1,1 @@
+"""What is asked: pipelines, environments, controls, and the plan that they make."""

@@ -1,0 +1,96 @@
+"""A pipeline with every value written out, and when two of them are the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import closing
+from typing import Any, NamedTuple
+
+from tutorstudent.core.files.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.leaves import Encoder
+from tutorstudent.core.roles.world import Sketch
+from tutorstudent.core.running.observers import Entries
+from tutorstudent.core.running.runner import trial_seed
+
+Values = Mapping[str, Any]
+ALONE = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
+"""What makes a difference where nothing is amplified."""
+
+
+class Resolved(NamedTuple):
+    """What a pipeline says, defaults included."""
+
+    values: dict[str, Any]
+    amount: float
+    """Amplification per level."""
+    change: dict[str, Any]
+    """How an amplification becomes a distance."""
+    encoder: dict[str, Any] | None
+    """What the student looks at, where it has an encoder."""
+    counters: dict[str, str]
+    """What its observers count, such as ``attractors``, and the situation whose entries that is."""
+    goal_event: str = ""
+    """What its world counts for achievement; empty where it does not say."""
+
+
+def resolve(pipeline: Pipeline) -> Resolved:
+    """Build the whole pipeline once, so that mistakes are found before anything runs, and write its values out.
+
+    Raises:
+        TutorStudentError: if it cannot be built; the message says where and what to do.
+    """
+    with pipeline.built() as (engine, world, observers):
+        encoders = [part for _, part in engine.student.parts() if isinstance(part, Encoder)]
+        return Resolved(
+            describe(engine, world, pipeline),
+            float(engine.amplifier.amount),
+            plain(engine.amplifier.change.describe(), "amplifier.change"),
+            plain(encoders[0].describe(), "student.encoder") if encoders else None,
+            {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
+            world.goal_event,
+        )
+
+
+def completed(name: str, values: Values, registry: Registry) -> dict[str, Any]:
+    """Return the values with the defaults of the engine's parts filled in."""
+    with closing(reread(name, values, registry).engine()) as engine:
+        return dict(values) | {slot: plain(getattr(engine, slot).describe(), f"{name}: {slot}") for slot in SLOTS}
+
+
+def reread(name: str, values: Values, registry: Registry) -> Pipeline:
+    """Return the pipeline that the values stand for."""
+    return Pipeline(Document(name, dict(values)), registry)
+
+
+def sketch_of(pipeline: Pipeline) -> Sketch:
+    """Return a drawing of the pipeline's world at the beginning of a run."""
+    with pipeline.built() as (_, world, _observers):
+        world.reset(trial_seed(pipeline.header.seed, 0))
+        return world.sketch()
+
+
+def is_tutor_alone(values: Values) -> bool:
+    """Return whether resolved values can never amplify anything."""
+    return bool(values["student"]["use"] == "silent" and values["amplifier"]["use"] == "never")
+
+
+def learner_of(resolved: Mapping[str, Resolved]) -> str | None:
+    """Return the name of the first pipeline that can amplify; None if all are tutors alone."""
+    return next((name for name, found in resolved.items() if not is_tutor_alone(found.values)), None)
+
+
+def same(one: Values, other: Values) -> bool:
+    """Return whether two resolved pipelines do the same, whatever their seed and number of decisions.
+
+    A tutor that is never amplified is one and the same with any selector, evaluator, amount and limits.
+    """
+    return _essence(one) == _essence(other)
+
+
+def _essence(values: Values) -> dict[str, Any]:
+    if is_tutor_alone(values):
+        return {key: values[key] for key in ALONE}
+    return {key: value for key, value in values.items() if key not in ("seed", "decisions")}

@@ -1,0 +1,1 @@
+"""Tables: columns, cells, and the formats that they are written in."""

@@ -1,0 +1,74 @@
+"""The tables of paired differences, and of the verdicts about harm."""
+
+from __future__ import annotations
+
+from tutorstudent.study.numbers.comparisons import Comparison, Family, families
+from tutorstudent.study.numbers.measures import PER
+from tutorstudent.study.numbers.significance import LEVEL, fewest_pairs
+from tutorstudent.study.numbers.verdicts import MARGIN, Judgement, harm_rate, judgements
+from tutorstudent.study.plans.plan import Environment
+from tutorstudent.study.runs.results import Study
+from tutorstudent.study.tables.cells import correlation, difference, improvement, number, probability
+from tutorstudent.study.tables.table import Row, Table
+
+HEADER = ("against", "measure", "pairs", "difference", "r", "better in", "p", "p, Holm")
+ABOUT_VERDICTS = (
+    "Run by run on the same seed. Not worse: the one-sided 95 % BCa bound of the difference lies below the margin of "
+    f"{MARGIN:g} in {PER:,} decisions. Worse: the other bound lies above it. Undecided: neither, fewer than "
+    "three pairs, or too few decisions to see such a rate. The verdicts are not corrected for their number."
+)
+
+
+def difference_tables(study: Study, environment: Environment) -> list[Table]:
+    """Return the differences to the tutor alone and to the controls in one environment."""
+    made = []
+    for family in families(study):
+        rows = tuple(_row(item) for item in family.comparisons if item.environment == environment.name)
+        if rows:
+            made.append(Table(family.title, HEADER, rows, _about(family)))
+    return made
+
+
+def verdict_tables(study: Study, environment: Environment) -> list[Table]:
+    """Return the verdicts about harm; no table without a tutor alone to hold it against."""
+    found = judgements(study, environment)
+    measure = harm_rate(study, environment)
+    title = "Does it harm more than the tutor alone?"
+    header = (measure.title, "difference [one-sided 95 % bounds]", "margin", "verdict")
+    return [Table(title, header, tuple(map(_judged, found)), ABOUT_VERDICTS)] if found else []
+
+
+def _row(item: Comparison) -> Row:
+    cells = (
+        item.against,
+        item.measure.title,
+        str(item.difference.pairs),
+        difference(item.difference),
+        correlation(item.correlation),
+        improvement(item.improvement),
+        probability(item.p),
+        probability(item.p_holm),
+    )
+    return Row(item.variant.name, item.variant.control, cells)
+
+
+def _about(family: Family) -> str:
+    tests, pairs = family.tests, max(item.difference.pairs for item in family.comparisons)
+    text = "r: correlation of the two over seeds. Better in: share of pairs, ties half, with Wilson's 95 % interval. "
+    if tests:
+        text += (
+            "p: two-sided sign-flip permutation test of the mean difference. p, Holm: corrected for the "
+            f"{tests} tests of this table in all environments."
+        )
+    elif not all(item.variant.control for item in family.comparisons):
+        text += "p: none, with so few pairs."
+    if any(item.variant.control for item in family.comparisons):
+        text += " Nothing is claimed of controls, so they are not tested."
+    if tests and pairs < fewest_pairs(tests):
+        text += f" No p can get below {LEVEL} after Holm with {pairs} pairs; it takes {fewest_pairs(tests)}."
+    return text
+
+
+def _judged(item: Judgement) -> Row:
+    cells = (number(item.harm), difference(item.difference), f"+{MARGIN:g}", str(item.verdict))
+    return Row(item.variant, item.control, cells)
