@@ -15,7 +15,7 @@ from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
 from tutorstudent.core.running.runner import check_world, run, trial_seed
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 REGISTRY = toy_registry()
 
