@@ -25,6 +25,7 @@ from tutorstudent.core.words.errors import (
     TutorStudentError,
     UnknownPlugin,
 )
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
 from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
 from tutorstudent.wrapping import wrap
@@ -58,6 +59,7 @@ __all__ = [
     "LevelProposal",
     "Limits",
     "Loop",
+    "Measure",
     "Moment",
     "Observer",
     "Options",

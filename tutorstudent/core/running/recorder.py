@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,8 +11,10 @@ from numpy.typing import NDArray
 from tutorstudent.core.deciding.limiting import HIGHEST_LEVEL
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
 from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.records import Turn
 
 NO_LEVEL = -1
@@ -20,6 +23,8 @@ NO_LEVEL = -1
 class Recorder(Observer):
     """Keeps every decision as numbers: kinds, situations, levels, bits, components, violations, lessons, events.
 
+    It shows decisions to the other observers and keeps what they measure too, NaN where they measured nothing.
+
     `arrays` returns one entry for each column, shape (decisions,) or (decisions, n); names that index into a column
     stand beside it (``kind_names`` for ``kind``). A level that was not taught is -1. Components that are no
     floats are left out.
@@ -27,7 +32,17 @@ class Recorder(Observer):
 
     name = "recorder"
 
+    def __init__(self, observers: Sequence[Observer] = ()) -> None:
+        super().__init__()
+        self._meter = Meter(observers)
+
+    @property
+    def measured(self) -> list[Measure]:
+        """What the other observers measure; known once they have begun."""
+        return self._meter.measures
+
     def begin(self, begin: Begin) -> None:
+        self._meter.begin(begin)
         specs = begin.engine.tutor.action.vocabulary.components
         self._components = [name for name, spec in specs.items() if spec.number]
         self._conditions = [condition.label for condition in begin.engine.conditions]
@@ -48,6 +63,7 @@ class Recorder(Observer):
         self._executed = np.zeros((decisions, len(self._components)))
         self._violated = np.zeros((decisions, len(self._conditions)), dtype=bool)
         self._world = np.zeros((decisions, len(self._events)))
+        self._measured = np.zeros((decisions, len(self.measured)))
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         i, decision, lesson = self._count, turn.decision, turn.lesson
@@ -71,7 +87,13 @@ class Recorder(Observer):
             self._violated[i] = [name in turn.outcome.violated for name in self._conditions]
         events = step.events
         self._world[i] = [events.get(name, 0.0) for name in self._events]
+        values = self._meter.observe(turn, step)
+        self._measured[i] = [values.get(measure.name, np.nan) for measure in self.measured]
         self._count += 1
+
+    def summary(self) -> Mapping[str, float]:
+        """Return what the other observers measured and counted."""
+        return self._meter.summary()
 
     def arrays(self) -> Arrays:
         """Return the columns, as long as there were decisions."""
@@ -98,6 +120,8 @@ class Recorder(Observer):
             "condition_names": _words(self._conditions),
             "events": self._world[:n],
             "event_names": _words(self._events),
+            "measures": self._measured[:n],
+            "measure_names": _words([measure.name for measure in self.measured]),
         }
 
 
