@@ -50,7 +50,7 @@ class Finished(NamedTuple):
     """What the observers counted; NaN for what is no number."""
     decisions: Arrays
     measures: tuple[Measure, ...] = ()
-    """What every run measures, then what the world and the observers declare."""
+    """What the world, the observers and every run declare."""
 
 
 def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Finished:
@@ -71,7 +71,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
             stack.callback(observer.close)
         engine, world, header = built.engine, built.world, pipeline.header
         summary = run(engine, world, header.decisions, seed=header.seed, observers=counting)
-        measures = (*tallied(engine), *world.measures, *recorder.measured)
+        measures = (*world.measures, *recorder.measured, *tallied(engine))
         return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures)
 
 

@@ -91,9 +91,9 @@ class Meter:
             observer.begin(begin)
             names: dict[str, str] = {}
             for measure in observer.measures:
-                names[measure.name] = free(measure.name, taken)
-                taken.add(names[measure.name])
-                self.measures.append(replace(measure, name=names[measure.name]))
+                name = names[measure.name] = free(measure.name, taken)
+                taken.add(name)
+                self.measures.append(replace(measure, name=name, title=measure.title + name[len(measure.name) :]))
             self._names.append(names)
         self._totals = Totals(self.measures)
 

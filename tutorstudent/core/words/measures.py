@@ -29,7 +29,7 @@ class Measure:
     name: str
     """In summaries, files and options."""
     title: str = ""
-    """In tables and pictures; the name where it is empty."""
+    """In tables and pictures; the name where none is given."""
     unit: str = ""
     """Stands behind the title. ``%`` is for shares: numbers from 0 to 1, shown in percent."""
     better: Better | None = None
@@ -42,6 +42,7 @@ class Measure:
     """Whether the terminal's short table does without it."""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "title", self.title or self.name)
         if not isinstance(self.name, str) or not self.name:
             raise ContractError(f"a measure has the name {self.name!r}; give a word, as in Measure('energy_j').")
         _check(self.name, "better", self.better, (*get_args(Better), None))
@@ -50,8 +51,7 @@ class Measure:
     @property
     def heading(self) -> str:
         """Title and unit."""
-        title = self.title or self.name
-        return f"{title}, {self.unit}" if self.unit and self.unit != "%" else title
+        return f"{self.title}, {self.unit}" if self.unit else self.title
 
 
 def _check(name: str, key: str, value: object, allowed: tuple[object, ...]) -> None:
@@ -82,8 +82,8 @@ from ``x_m``, ``y_m`` and ``heading_rad``, which are no measures."""
 def as_measure(name: str, how: Summary | Measure) -> Measure:
     """Return what a world declares under a name: a measure, or only how it is summed.
 
-    >>> as_measure("falls", "sum").title, as_measure("contacts", "sum").better
-    ('', 'less')
+    >>> as_measure("falls", "sum").better, as_measure("contacts", "sum").better
+    (None, 'less')
     """
     if isinstance(how, Measure):
         return replace(how, name=name)
