@@ -12,8 +12,8 @@ import pytest
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.world import Sketch
+from tutorstudent.study.page.document import page
 from tutorstudent.study.page.head import head_html
-from tutorstudent.study.page.page import page
 from tutorstudent.study.page.report import write_report
 from tutorstudent.study.pictures.maps import _way, level_scale, way_map
 from tutorstudent.study.pictures.palette import Palette
@@ -135,7 +135,7 @@ def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
 def test_every_variant_has_a_panel_for_each_measure(study: Study, outline: Outline) -> None:
     labels = [label for attributes in outline.all("svg") if (label := attributes.get("aria-label"))]
     totals = ("turns", "collided decisions")
-    for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "amplification level"):
+    for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "mean level"):
         for variant in study.plan.variants():
             found = [label for label in labels if label.startswith(f"{title} over decisions, {variant.name}. ")]
             assert len(study.plan.environments) == len(found)
@@ -192,7 +192,8 @@ def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> No
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:
     drawings = outline.all("svg")
-    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, 3 * 6, 2, 2, 6
+    # All have turns, collisions, contacts, violations, way and level; then time, raised, lessons and incidents.
+    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (6 + 4) * 6, 2, 2, 6
     assert 2 * (gains + strips + totals + rates + matches + ways + harms) == len(drawings)
     assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
 

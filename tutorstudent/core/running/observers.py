@@ -54,7 +54,7 @@ TALLIED = (
         better="less",
         description="decisions after which a condition was violated, as the learner saw it, which may be late",
     ),
-    Measure("mean_level", "amplification level", summed="mean", description="how far decisions were amplified"),
+    Measure("mean_level", "mean level", summed="mean", description="amplification level over all decisions"),
     Measure(
         "match_rate",
         "named the tutor's kind",

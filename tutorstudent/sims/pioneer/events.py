@@ -25,6 +25,7 @@ EVENTS: Mapping[str, Summary | Measure] = {
         better="less",
         summed="max",
         description="most decisions in a row that collided; many mean that it was trapped",
+        detail=True,
     ),
     "contacts": "sum",
     "contact_speed_mps": Measure(

@@ -1,4 +1,4 @@
-"""What is compared of runs: a measure's sum, or how much of it there was on the way, in the time or in the decisions."""
+"""What is compared of runs: a measure, or how much of it there was by way, by time or by decisions."""
 
 from __future__ import annotations
 

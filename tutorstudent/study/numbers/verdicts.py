@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from tutorstudent.study.numbers.declared import harm_in, measures_in
 from tutorstudent.study.numbers.intervals import Interval
-from tutorstudent.study.numbers.quantities import DECISIONS, Quantity
 from tutorstudent.study.numbers.pairs import Difference, paired
+from tutorstudent.study.numbers.quantities import DECISIONS, Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 

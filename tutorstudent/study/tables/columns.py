@@ -23,7 +23,7 @@ class Column(NamedTuple):
     @property
     def title(self) -> str:
         """The heading; says what is shown where it is not the spread over runs."""
-        return self.quantity.title + {highest: " (max)", mean: " (mean)"}.get(self.cell, "")
+        return self.quantity.title + (" (max)" if self.cell is highest else "")
 
     @property
     def is_compared(self) -> bool:
@@ -34,8 +34,7 @@ class Column(NamedTuple):
 def columns_by_table(measures: Sequence[Measure]) -> dict[str, list[Column]]:
     """Return the columns of each table by its title: the sums of runs, then what tells more from faster."""
     found = {title: [column(item) for item in measures if item.better == better] for better, title in TITLES.items()}
-    parts = found.popitem()
-    return found | {RATES: list(rates(measures))} | dict([parts])
+    return found | {RATES: list(rates(measures))}
 
 
 def column(measure: Measure) -> Column:
@@ -46,26 +45,21 @@ def column(measure: Measure) -> Column:
         return Column(Quantity(measure), highest)
     if measure.better == "less":
         return Column(Quantity(measure), heavy_tailed)
-    return Column(Quantity(measure), mean if measure.summed == "mean" else typical)
+    return Column(Quantity(measure), typical)
 
 
 def rates(measures: Iterable[Measure]) -> Iterable[Column]:
-    """Yield the columns by way and by time of every sum of which more or less is better."""
+    """Yield the columns by way and by time of every sum of which more or less is better, but for details."""
     for measure in measures:
-        if measure.better and measure.summed == "sum":
+        if measure.better and measure.summed == "sum" and not measure.detail:
             yield from (Column(Quantity(measure, over), about) for over in (WAY, TIME) if over.key != measure.name)
 
 
 def digest(measures: Iterable[Measure]) -> list[Column]:
     """Return the columns that a narrow terminal shows: what is no detail, in short cells."""
     shown = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
-    return [Column(Quantity(item), _short(item)) for item in shown]
-
-
-def _short(measure: Measure) -> Cell:
-    if measure.better != "more" and measure.summed == "max":
-        return highest
-    return about if measure.better else mean
+    short = {achieved: about, heavy_tailed: about, typical: mean, highest: highest}
+    return [made._replace(cell=short[made.cell]) for made in map(column, shown)]
 
 
 def explain(columns: Iterable[Column]) -> str:
