@@ -133,7 +133,12 @@ def tallied(engine: Engine[Any, Any, Any]) -> list[Measure]:
     """Return what `Tally` measures of an engine: of several conditions also each by itself."""
     labels = [condition.label for condition in engine.conditions]
     of_each = [
-        Measure(f"{VIOLATED}{label}", f"violated: {label}", better="less", description=f"those that violated {label}")
+        Measure(
+            f"{VIOLATED}{label}",
+            f"violated {label}",
+            better="less",
+            description=f"decisions after which {label} was violated",
+        )
         for label in labels
     ]
     return [*TALLIED, *(of_each if len(labels) > 1 else ())]

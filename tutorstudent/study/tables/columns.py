@@ -58,7 +58,7 @@ def rates(measures: Iterable[Measure]) -> Iterable[Column]:
 def digest(measures: Iterable[Measure]) -> list[Column]:
     """Return the columns that a narrow terminal shows: what is no detail, in short cells."""
     shown = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
-    short = {achieved: about, heavy_tailed: about, typical: mean, highest: highest}
+    short: dict[Cell, Cell] = {achieved: about, heavy_tailed: about, typical: mean, highest: highest}
     return [made._replace(cell=short[made.cell]) for made in map(column, shown)]
 
 

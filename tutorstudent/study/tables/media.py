@@ -48,7 +48,10 @@ def terminal(table: Table, width: int = 80) -> Group:
 
     A table that is too wide becomes several, one below the other, each with the names of its rows.
     """
-    titles = [textwrap.fill(title, _width(table, i), break_long_words=False) for i, title in enumerate(table.header)]
+    titles = [
+        textwrap.fill(title, _width(table, i), break_long_words=False, break_on_hyphens=False)
+        for i, title in enumerate(table.header)
+    ]
     widths = [max(_width(table, i), *map(len, title.split("\n"))) + GAP for i, title in enumerate(titles)]
     room = width - GAP - max((len(row.name) for row in table.rows), default=0)
     return Group(*(_part(table, titles, part) for part in _parts(widths, room)))
