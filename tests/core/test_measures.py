@@ -71,6 +71,16 @@ def test_a_name_that_is_taken_gets_a_number_in_every_record() -> None:
     assert {"pushed#2", "hits#2", "decisions#2"} <= {measure.title for measure in finished.measures}
 
 
+def test_what_an_observer_says_of_its_own_measure_stands_for_the_sum() -> None:
+    class Rounding(Force):
+        def summary(self) -> Mapping[str, float]:
+            return {"push": 7.0, "rest": 1.0}
+
+    summary = run_pipeline(pipeline(), [Force(), Rounding()]).summary
+    assert (7.0, 1.0) == (summary["push#2"], summary["rest"])
+    assert 7.0 != summary["push"]
+
+
 def test_a_second_run_begins_at_nothing() -> None:
     force, summaries = Force(), []
     for _ in range(2):

@@ -123,6 +123,7 @@ def test_entries_count_each_time_a_situation_begins() -> None:
         seen_now = turn._replace(decision=turn.decision._replace(moment=moment))
         counts.append(spins.observe(seen_now, Step(0.0, {}, bool(done)))["spins"])
     assert [1, 0, 0, 1, 1] == counts
+    assert {"spins": 3.0} == dict(spins.summary())
 
 
 def test_a_second_run_begins_a_new_trial_and_keeps_what_was_learned() -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.world import Sketch
+from tutorstudent.study.page import sections
 from tutorstudent.study.page.document import page
 from tutorstudent.study.page.head import head_html
 from tutorstudent.study.page.report import write_report
@@ -188,6 +189,18 @@ def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> No
     shown = section_of(page(first._replace(runs=(), search=searched)), name)
     assert TITLE in shown
     assert ">level 5</th>" in shown
+
+
+def test_a_section_is_a_function_in_a_list(first: Study, monkeypatch: pytest.MonkeyPatch) -> None:
+    def seeds(place: sections.Place) -> str | None:
+        return f"<p>of {len(place.study.plan.seeds)} seeds in {place.environment.name}</p>"
+
+    monkeypatch.setattr(sections, "IN_AN_ENVIRONMENT", (seeds, lambda place: None))
+    monkeypatch.setattr(sections, "OF_THE_STUDY", (sections.environments, lambda study: "<p>the end</p>"))
+    shown = page(first)
+    assert "<p>of 3 seeds in short</p>" in section_of(shown, "short")
+    assert "<p>the end</p>\n</body>" in shown
+    assert "None" not in shown
 
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:

@@ -112,11 +112,14 @@ class Meter:
         return found
 
     def summary(self) -> dict[str, float]:
-        """Return the sums, and what the observers counted by themselves; NaN for what is no number."""
+        """Return the sums, and what the observers counted by themselves; NaN for what is no number.
+
+        What an observer says of a measure of its own stands for the sum.
+        """
         found = self._totals.summary()
-        for observer in self._observers:
+        for observer, names in zip(self._observers, self._names, strict=True):
             mine = {key: _number(value) for key, value in observer.summary().items()}
-            found |= {free(key, found): value for key, value in mine.items()}
+            found |= {names.get(key) or free(key, found): value for key, value in mine.items()}
         return found
 
 

@@ -43,7 +43,10 @@ class Observer(Component):
         """
 
     def summary(self) -> Mapping[str, float]:
-        """Return what it counted by itself, by name: numbers that only a whole run has."""
+        """Return what it counted by itself, by name: numbers that only a whole run has.
+
+        A number of the name of one of its `measures` stands for the sum.
+        """
         return {}
 
 
@@ -159,9 +162,15 @@ class Entries(Observer):
         about = f"how often the tutor entered the situation '{self.situation}'"
         self.measures = [Measure(self.counted, better="more", description=about)]
         self._was_in = False
+        self._entries = 0
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> Mapping[str, float]:
         is_in = turn.decision.moment.situation == self.situation
         entered = is_in and not self._was_in
         self._was_in = is_in and not (step.done or step.truncated)
+        self._entries += entered
         return {self.counted: float(entered)}
+
+    def summary(self) -> Mapping[str, float]:
+        """Return the count up to now."""
+        return {self.counted: float(self._entries)}
