@@ -16,7 +16,7 @@ from tutorstudent.core.running.meter import WorldEvents
 from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally
 from tutorstudent.core.running.runner import check_world, run, trial_seed
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 REGISTRY = toy_registry()
 

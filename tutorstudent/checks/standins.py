@@ -11,7 +11,8 @@ from tutorstudent.core.roles.leaves import Change, Condition
 from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.words.measures import Summary
 from tutorstudent.core.words.proposals import LevelProposal
-from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome, Turn
+from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome
+from tutorstudent.core.words.turn import Turn
 
 
 class Repeater(Tutor[float, Any]):

@@ -14,7 +14,7 @@ from tutorstudent.core.running.observers import TALLIED, Begin, Observer, Tally
 from tutorstudent.core.words.errors import ContractError, listing, suggestion
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import exact_number
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 
 class Totals:

@@ -12,7 +12,7 @@ from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 
 class Begin(NamedTuple):
