@@ -120,7 +120,7 @@ def test_entries_count_each_time_a_situation_begins() -> None:
     counts = []
     for situation, done in [("spin", 0), ("spin", 0), ("", 0), ("spin", 1), ("spin", 0)]:
         moment = turn.decision.moment._replace(situation=situation)
-        seen_now = turn._replace(decision=turn.decision._replace(moment=moment))
+        seen_now = Turn(turn.decision._replace(moment=moment))
         counts.append(spins.observe(seen_now, Step(0.0, {}, bool(done)))["spins"])
     assert [1, 0, 0, 1, 1] == counts
     assert {"spins": 3.0} == dict(spins.summary())

@@ -66,7 +66,7 @@ def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | 
 
 def _measure_level(level: int, turn: Turn[Any, Any], ladder: Ladder) -> list[float]:
     """Return how far a level moves each group, after clipping, in units of its scale."""
-    own, fractions = turn._original.__dict__, ladder.fractions(level)
+    own, fractions = turn._original.__dict__, ladder.fractions(ladder.climb(level))
     if not fractions:
         return [0.0] * len(turn._groups)
     ends = [

@@ -120,7 +120,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """
         if self._turn is not None:
             self.drop()
-        turn: Turn[StateT, ActionT] = Turn(self._guard.attend(self.decisions))
+        turn: Turn[StateT, ActionT] = Turn.begin(self._guard.attend(self.decisions))
         self._seat.ask(turn, self.decisions, state)  # the tutor says its action
         if turn._void:
             self._limiter.forget()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Generic
 
 from tutorstudent.core.words.actions import ActionT, Group
@@ -35,6 +36,7 @@ class Turn(Generic[StateT, ActionT]):
     _fractions: Fractions
     """What the resulting level moves."""
     _limited_by = ""
+    _incidents: list[Incident]
     _action: ActionT
     """What leaves for the robot, or what somebody says was executed instead."""
     _seals: tuple[Seal, Seal]
@@ -49,13 +51,30 @@ class Turn(Generic[StateT, ActionT]):
     _untold = ""
     """Why it is not known which level was executed."""
 
-    def __init__(self, incidents: list[Incident]) -> None:
-        self._incidents = incidents
+    def __init__(
+        self,
+        decision: Decision[StateT, ActionT],
+        outcome: Outcome[StateT] | None = None,
+        lesson: Lesson[StateT, ActionT] | None = None,
+        incidents: Sequence[Incident] = (),
+        void: str = "",
+        limited_by: str = "",
+    ) -> None:
+        """Make a turn that is over, as the tests of an observer need it."""
+        self._decision, self._outcome, self._lesson = decision, outcome, lesson
+        self._incidents, self._void, self._limited_by = list(incidents), void, limited_by
+
+    @classmethod
+    def begin(cls, incidents: list[Incident]) -> Turn[StateT, ActionT]:
+        """Return a turn of which nothing is known yet; core writes the rest."""
+        turn = cls.__new__(cls)
+        turn._incidents = incidents
+        return turn
 
     @property
     def number(self) -> int:
         """Decision number, counted from 0 over all trials."""
-        return self._moment.number
+        return self._decision.moment.number
 
     @property
     def decision(self) -> Decision[StateT, ActionT]:
