@@ -1,8 +1,9 @@
 """Wrap a controller that already works with a learner, so that it improves while it stays in command."""
 
-from tutorstudent.core.deciding.adapters import FunctionTutor, Loop
 from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.function_tutor import FunctionTutor
 from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.deciding.loop import Loop
 from tutorstudent.core.files.pipeline import Pipeline, load
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.binding import Binding

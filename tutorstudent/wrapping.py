@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from tutorstudent.core.deciding.adapters import Loop, as_tutor
+from tutorstudent.core.deciding.function_tutor import as_tutor
+from tutorstudent.core.deciding.loop import Loop
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.leaves import Condition, condition

@@ -61,13 +61,14 @@ def test_a_command_at_neutral_is_never_amplified() -> None:
     assert [0.0] * 5 == [loop.step(1.0) for _ in range(5)]
 
 
-def test_buffers_that_the_owner_reuses_do_not_change_what_was_seen() -> None:
+def test_buffers_that_the_owner_reuses_do_not_change_what_parts_saw() -> None:
     buffer, seen = np.zeros(2), []
-    loop = ts.wrap(lambda state: seen.append(state) or 0.5, action=UNIT)
+    loop = ts.wrap(lambda state: 0.5, action=UNIT, condition=lambda state: seen.append(state) or False)
     loop.step(buffer)
-    buffer += 1
-    loop.step(buffer)
-    assert [[0.0, 0.0], [1.0, 1.0]] == [state.tolist() for state in seen]
+    for _ in range(2):
+        buffer += 1
+        loop.step(buffer)
+    assert [[1.0, 1.0], [2.0, 2.0]] == [state.tolist() for state in seen]
     assert not seen[0].flags.writeable
 
 
@@ -175,13 +176,15 @@ def test_states_are_copied_and_frozen_all_the_way_down() -> None:
         scan: Any
 
     seen: list[Any] = []
-    loop = ts.wrap(lambda state: seen.append(state) or 0.5, action=UNIT)
+    loop = ts.wrap(lambda state: 0.5, action=UNIT, condition=lambda state: seen.append(state) or False)
     buffer = np.zeros(2)
+    loop.step(0.0)
     for state in ({"scan": buffer}, (buffer, 1), [buffer], Sensed(buffer)):
         loop.step(state)
     buffer += 1
-    assert [[0.0, 0.0]] * 4 == [scan.tolist() for scan in (seen[0]["scan"], seen[1][0], seen[2][0], seen[3].scan)]
-    assert not any(scan.flags.writeable for scan in (seen[0]["scan"], seen[1][0], seen[2][0]))
+    scans = (seen[0]["scan"], seen[1][0], seen[2][0], seen[3].scan)
+    assert [[0.0, 0.0]] * 4 == [scan.tolist() for scan in scans]
+    assert not any(scan.flags.writeable for scan in scans)
 
 
 def test_an_own_action_class_goes_through_as_it_is() -> None:

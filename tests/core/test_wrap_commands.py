@@ -178,9 +178,11 @@ def test_any_other_command_is_read_and_written_by_two_functions_of_the_owner() -
 
 
 def test_several_numbers_are_written_as_a_list() -> None:
-    action = ts.vector(-1, 1, 2, read=lambda text: [float(word) for word in text.split()], write=lambda _, v: f"{v}")
-    found = once("0.3 0.4", action)
-    assert [0.33, 0.44] == pytest.approx([float(word) for word in found.strip("[]").split(", ")])
+    def read(text: str) -> list[float]:
+        return [float(word) for word in text.strip("[]").split(",")]
+
+    found = once("0.3,0.4", ts.vector(-1, 1, 2, read=read, write=lambda _, v: f"{v}"))
+    assert [0.33, 0.44] == pytest.approx(read(found))
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.deciding.adapters import FunctionTutor, HearingTutor
+from tutorstudent.core.deciding.function_tutor import FunctionTutor, HearingTutor
 
 UNIT = ts.scalar(-1, 1)
 DRIVE = ts.scalar(-1, 1, name="speed")

@@ -40,14 +40,19 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         self.last: Turn[StateT, ActionT] | None = None
         """The newest one that is over."""
 
-    def propagate(self, state: StateT) -> ActionT:
-        """Return the action to execute, and remember the decision (a-e). One that was never judged is dropped."""
+    def propagate(self, state: StateT, shown: StateT) -> ActionT:
+        """Return the action to execute, and remember the decision (a-e). One that was never judged is dropped.
+
+        Args:
+            state: What the tutor is asked with.
+            shown: What the parts are shown of it.
+        """
         if self.turn is not None:
             self.drop()
         executed_last = self._limiter.last
         try:
             turn: Turn[StateT, ActionT] = Turn.begin(self._guard.attend(self.decisions))
-            self._seat.ask(turn, self.decisions, state)  # the tutor says its action
+            self._seat.ask(turn, self.decisions, state, shown)  # the tutor says its action
             if turn._void:
                 self._limiter.forget()
                 self._grader.fall_back(turn)

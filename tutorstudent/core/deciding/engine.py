@@ -121,11 +121,17 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             yield slot, getattr(self, slot)
         yield from ((f"conditions.{condition.label}", condition) for condition in self.conditions)
 
-    def step(self, state: StateT) -> ActionT:
-        """Judge the previous decision by this state, then decide. Call once per decision."""
+    def step(self, state: StateT, shown: StateT | None = None) -> ActionT:
+        """Judge the previous decision by this state, then decide. Call once per decision.
+
+        Args:
+            state: What the tutor is asked with: always the very object.
+            shown: What the other parts are shown instead, where they must not share the state with its owner.
+        """
+        seen = state if shown is None else shown
         with self._turnstile:
-            self._cycle.evaluate(state)
-            return self._cycle.propagate(state)
+            self._cycle.evaluate(seen)
+            return self._cycle.propagate(state, seen)
 
     def propagate(self, state: StateT) -> ActionT:
         """Return the action to execute (Thesis 3.2.3, propagation) and remember the decision (a-e).
@@ -133,7 +139,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         A decision that was never judged is dropped.
         """
         with self._turnstile:
-            return self._cycle.propagate(state)
+            return self._cycle.propagate(state, state)
 
     def evaluate(self, resulting_state: StateT) -> Turn[StateT, ActionT] | None:
         """Judge the pending decision by the state it led to, and teach (Thesis 3.2.3 A-C).

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 from pydantic import Field, ValidationError
 
-from tutorstudent.core.deciding.adapters import as_tutor
 from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.guard import OnIncident
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.assembly import Assembler

@@ -30,6 +30,27 @@ class Form(abc.ABC):
     def write(self, numbers: Numbers, like: Any) -> Any:
         """Return a new command with these numbers, in the type of `like`, which `read` took; None where none was."""
 
+    def fit(self, numbers: Numbers, like: Any) -> Numbers:
+        """Return the numbers as the type of `like` holds them, rounded towards its own where it holds them not."""
+        return numbers
+
+    def restore(self, command: Any, numbers: Numbers) -> None:
+        """Give a command its own numbers back, after writing another one changed it.
+
+        Raises:
+            ContractError: if it does not take them.
+        """
+        self.write(numbers, command)
+        if self.read(command) != numbers:
+            raise ContractError(
+                "writing an amplified command changed the controller's own, and it cannot be changed back. Let write= "
+                "make a new command."
+            )
+
+    def compare_rest(self, command: Any, written: Any) -> str | None:
+        """Return the name of something beside the numbers in which two commands differ, or None."""
+        return None
+
 
 class PlainForm(Form):
     """A number, or a list, tuple or numpy array of numbers."""
@@ -50,9 +71,14 @@ class PlainForm(Form):
             )
         return [plain_float(item, "it", command) for item in items]
 
+    def fit(self, numbers: Numbers, like: Any) -> Numbers:
+        items = like.ravel() if isinstance(like, np.ndarray) else _items(like)
+        return [fit_number(item, number) for item, number in zip(items, numbers, strict=True)]
+
     def write(self, numbers: Numbers, like: Any) -> Any:
         if like is None:
             return numbers if self._size > 1 else numbers[0]
+        numbers = self.fit(numbers, like)
         if isinstance(like, np.ndarray):
             return np.array(numbers, dtype=like.dtype if like.dtype.kind == "f" else np.float64).reshape(like.shape)
         if not isinstance(like, list | tuple):
@@ -90,6 +116,24 @@ class OwnForm(Form):
         if written is None:
             raise ContractError("write= returned nothing; it returns the command to execute, a new one.")
         return written
+
+
+def fit_number(like: Any, number: float) -> float:
+    """Return a number as the type of one of the owner's holds it, rounded towards the owner's.
+
+    >>> float(np.float32(0.1)) > 0.1, fit_number(np.float32(0.09), 0.1) <= 0.1
+    (True, True)
+    >>> fit_number(np.float16(60000), 78000.0)
+    65504.0
+    """
+    if not isinstance(like, np.floating):
+        return number
+    own = float(like)
+    with np.errstate(over="ignore"):
+        cast = type(like)(number)
+        if not min(own, number) <= float(cast) <= max(own, number):  # numpy would compare in its own precision
+            cast = np.nextafter(cast, like)
+    return float(cast)
 
 
 def in_type_of(like: Any, number: float) -> Any:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import struct
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from pydantic import BaseModel
 
 from tutorstudent.core.words.errors import ContractError, listing, shown, suggestion
-from tutorstudent.core.words.forms import Form, Numbers, in_type_of, is_number, plain_float
+from tutorstudent.core.words.forms import Form, Numbers, fit_number, in_type_of, is_number, plain_float
 
 Path = tuple[str, ...]
 
@@ -30,7 +32,24 @@ class NamedForm(Form):
                 f"the controller has returned no command yet in which '{'.'.join(self._paths[0])}' could be written; "
                 "give write=, which is then asked to write in None."
             )
-        return _with(like, dict(zip(self._paths, numbers, strict=True)))
+        return _with(like, dict(zip(self._paths, self.fit(numbers, like), strict=True)))
+
+    def fit(self, numbers: Numbers, like: Any) -> Numbers:
+        own = [_reach(like, path) for path in self._paths]
+        return [fit_number(item, number) for item, number in zip(own, numbers, strict=True)]
+
+    def restore(self, command: Any, numbers: Numbers) -> None:
+        for path, number in zip(self._paths, numbers, strict=True):
+            *way, last = path
+            _set(_reach(command, tuple(way)), last, in_type_of(_reach(command, path), number))
+        if self.read(command) != numbers:
+            raise ContractError(
+                f"{type(command).__name__}: copying the command changed the command itself, and it cannot be changed "
+                "back. Give read= and write= instead of names."
+            )
+
+    def compare_rest(self, command: Any, written: Any) -> str | None:
+        return _find_difference(command, written, self._paths)
 
     def _number(self, command: Any, path: Path) -> float:
         found = command
@@ -68,6 +87,59 @@ def _get(owner: Any, step: str) -> Any:
     return owner[step]
 
 
+def _reach(owner: Any, path: Path) -> Any:
+    for step in path:
+        owner = _get(owner, step)
+    return owner
+
+
+def _set(owner: Any, step: str, value: Any) -> None:
+    if isinstance(owner, Mapping):
+        owner[step] = value  # type: ignore[index]
+    else:
+        setattr(owner, step, value)
+
+
+def _find_difference(own: Any, written: Any, paths: Sequence[Path]) -> str | None:
+    """Return the first member in which two objects differ beside what the paths lead to."""
+    if type(own) is not type(written):
+        return f"the type to {type(written).__name__}"
+    mine, other = _members(own), _members(written)
+    if mine.keys() != other.keys():
+        return "what it holds"
+    for name, value in mine.items():
+        below = [path[1:] for path in paths if path[0] == name]
+        if () in below:
+            continue
+        found = _find_difference(value, other[name], below) if below else None
+        if found is not None or (not below and not is_same(value, other[name])):
+            return f"'{name}'" if found is None else f"'{name}': {found}"
+    return None
+
+
+def _members(owner: Any) -> dict[Any, Any]:
+    if isinstance(owner, Mapping):
+        return dict(owner)
+    if hasattr(owner, "_asdict"):
+        return dict(owner._asdict())
+    slots = [name for base in type(owner).__mro__ for name in getattr(base, "__slots__", ()) if hasattr(owner, name)]
+    names = [name for name in slots if name not in ("__dict__", "__weakref__")]
+    return {name: getattr(owner, name) for name in names} | dict(getattr(owner, "__dict__", {}))
+
+
+def is_same(own: Any, other: Any) -> bool:
+    """Return whether two values are the same, bit for bit."""
+    if own is other:
+        return True
+    if type(own) is not type(other):
+        return False
+    if isinstance(own, float):
+        return struct.pack("d", own) == struct.pack("d", other)
+    if isinstance(own, np.ndarray):
+        return bool(own.dtype == other.dtype and own.shape == other.shape and own.tobytes() == other.tobytes())
+    return bool(own == other)
+
+
 def _with(owner: Any, numbers: Mapping[Path, float]) -> Any:
     """Return a copy of an owner's object with other numbers; what lies on the way to them is copied too."""
     inside: dict[str, dict[Path, float]] = {}
@@ -91,9 +163,8 @@ def _replaced(owner: Any, changes: dict[str, Any]) -> Any:
     if hasattr(type(owner), "__replace__"):  # the protocol of copy.replace
         return owner.__replace__(**changes)
     copied: Any = copy.copy(owner)
+    if copied is owner:
+        raise ContractError(f"{type(owner).__name__}: its copy is the object itself, so it cannot be amplified.")
     for name, value in changes.items():
-        if isinstance(owner, Mapping):
-            copied[name] = value
-        else:
-            setattr(copied, name, value)
+        _set(copied, name, value)
     return copied

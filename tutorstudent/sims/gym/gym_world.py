@@ -10,8 +10,8 @@ from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
-from tutorstudent.core.words.freezing import read_only
 from tutorstudent.core.words.measures import Measure, Summary
+from tutorstudent.core.words.snapshots import take_snapshot
 from tutorstudent.sims.gym.loading import load_gymnasium
 from tutorstudent.sims.gym.spaces import box_values, check_box, check_fit
 from tutorstudent.sims.gym.types import GymState
@@ -63,7 +63,7 @@ class GymnasiumWorld(World[GymState, Action]):
             self._open()
         self._return = 0.0
         observation, info = self._env.reset(seed=seed)
-        return GymState(read_only(observation), info=read_only(info))
+        return GymState(take_snapshot(observation), info=take_snapshot(info))
 
     def step(self, action: Action) -> Step[GymState]:
         if self._env is None:
@@ -71,7 +71,9 @@ class GymnasiumWorld(World[GymState, Action]):
         if type(action) is not self._fits:
             self._check(type(action))
         observation, reward, terminated, truncated, info = self._env.step(box_values(action, self._env.action_space))
-        state = GymState(read_only(observation), float(reward), bool(terminated), bool(truncated), read_only(info))
+        state = GymState(
+            take_snapshot(observation), float(reward), bool(terminated), bool(truncated), take_snapshot(info)
+        )
         self._return += state.reward
         ended = state.terminated or state.truncated
         events = {"reward": state.reward, "episode_return": self._return, "episodes": float(ended)}

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable
 from typing import Any
 
-from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.gate import check_written
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.commands import Command
 from tutorstudent.core.words.errors import ContractError, shown
-from tutorstudent.core.words.freezing import read_only
 
 
 class FunctionTutor(Tutor[Any, Any]):
@@ -67,6 +65,17 @@ class FunctionTutor(Tutor[Any, Any]):
             return action
         return action.write(self.command)
 
+    def read_back(self, action: Action, command: Any) -> Action | None:
+        """Return what a command that was written for an action really says; None where it is what was meant.
+
+        Raises:
+            Breach: if the owner must not get it: it says more or less than was decided, or the controller's own
+                command was changed.
+        """
+        if command is action or not isinstance(self.said, Command):
+            return None
+        return check_written(self.said, action, command, self.command)
+
     def _try_to_write(self, said: Action, command: Any) -> None:
         # A command that cannot be written is told at once, not when it is amplified for the first time.
         if isinstance(said, Command) and said is not command:
@@ -107,55 +116,3 @@ def as_tutor(controller: Any, action: type[Action] | None) -> Tutor[Any, Any]:
         )
     hears = callable(getattr(controller, "executed", None))
     return (HearingTutor if hears else FunctionTutor)(controller, action)
-
-
-class Loop:
-    """An engine round an existing controller, in the owner's own types.
-
-    The first incident of each part and kind is logged as a warning of the logger ``tutorstudent``; all are in
-    ``engine.incidents`` and counted in ``engine.incident_counts``.
-    """
-
-    def __init__(self, engine: Engine[Any, Any, Any]) -> None:
-        self.engine = engine
-        self._counts = engine.incident_counts
-        self._told: set[tuple[str, str]] = set()
-        self._tutor = engine.tutor if isinstance(engine.tutor, FunctionTutor) else None
-
-    def step(self, state: Any) -> Any:
-        """Return the command for this state, in the type that the controller returned.
-
-        At level 0 it is the controller's own object; also where no other could be made, which is an incident.
-        """
-        command = self._written(self.engine.step(read_only(state)))
-        if len(self._counts) > len(self._told):
-            self._tell()
-        return command
-
-    def _written(self, action: Action) -> Any:
-        tutor = self._tutor
-        if tutor is None:
-            return action
-        try:
-            return tutor.written(action)
-        except Exception as error:
-            if tutor.said is None:  # the controller failed: its last command is an old one
-                raise
-            self.engine.refused(error)
-            return tutor.command
-
-    def _tell(self) -> None:
-        for decision, part, kind, message in self.engine.incidents:
-            if (part, kind) not in self._told:
-                self._told.add((part, kind))
-                logging.getLogger("tutorstudent").warning(
-                    "decision %d: %s: %s: %s (others of this kind are only counted)", decision, part, kind, message
-                )
-
-    def executed(self, command: Any) -> None:
-        """Say what was really executed instead of the last command."""
-        self.engine.executed(self._tutor.read(command) if self._tutor else command)
-
-    def void(self, reason: str) -> None:
-        """Say that the last command must teach nothing (an emergency stop, teleoperation)."""
-        self.engine.void(reason)

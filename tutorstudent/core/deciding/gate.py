@@ -1,0 +1,56 @@
+"""The last gate: what leaves for the owner, read back in the owner's own type, against the controller's own command.
+
+Every limit holds for the action that was rendered. What is written for the owner may lie anywhere between the
+controller's own command and that action, both included: then bounds, direction, cap, factor and slew hold for it too.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from tutorstudent.core.deciding.guard import Breach
+from tutorstudent.core.words.commands import Command
+from tutorstudent.core.words.errors import shown as quote
+from tutorstudent.core.words.forms import Numbers
+
+
+def check_written(own: Command, meant: Any, written: Any, command: Any) -> Command | None:
+    """Return what the owner really gets, where that is something between the controller's own and what was meant.
+
+    Args:
+        own: The controller's command as an action.
+        meant: The action that was rendered.
+        written: What was written for it in the owner's type.
+        command: The controller's own command.
+
+    Returns:
+        None where it is what was meant, in the precision of the owner's type.
+
+    Raises:
+        Breach: if the owner must not get it.
+    """
+    names, form = list(own.vocabulary.components), own.form
+    said, asked = ([action.__dict__[name] for name in names] for action in (own, meant))
+    if form.read(command) != said:
+        form.restore(command, said)
+        raise Breach("mutated", "writing the amplified command changed the controller's own.")
+    found = form.read(written)
+    _check_between(own, said, asked, found)
+    if (elsewhere := form.compare_rest(command, written)) is not None:
+        raise Breach("mutated", f"writing the amplified command changed {elsewhere}, which is not declared.")
+    if found == form.fit(asked, command):
+        return None
+    return type(own).model_validate(dict(zip(names, found, strict=True)))
+
+
+def _check_between(own: Command, said: Numbers, asked: Numbers, found: Numbers) -> None:
+    for spec, mine, meant, number in zip(own.vocabulary.components.values(), said, asked, found, strict=True):
+        if not math.isfinite(number):
+            raise Breach("not-finite", f"the command that was written says {spec.name} = {number}.")
+        if not min(mine, meant) <= number <= max(mine, meant):
+            raise Breach(
+                "out-of-bounds",
+                f"the command that was written says {spec.name} = {quote(number)}; it lies between the controller's "
+                f"own {quote(mine)} and {quote(meant)}.",
+            )

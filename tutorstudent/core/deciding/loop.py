@@ -1,0 +1,81 @@
+"""A learner round a controller that works, in the owner's own loop and types."""
+
+from __future__ import annotations
+
+import logging
+from typing import Any
+
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.function_tutor import FunctionTutor
+from tutorstudent.core.deciding.guard import is_owners
+from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.snapshots import Snapshot
+
+
+class Loop:
+    """An engine round an existing controller, in the owner's own types.
+
+    The first incident of each part and kind is logged as a warning of the logger ``tutorstudent``; all are in
+    ``engine.incidents`` and counted in ``engine.incident_counts``.
+    """
+
+    def __init__(self, engine: Engine[Any, Any, Any]) -> None:
+        self.engine = engine
+        self._counts = engine.incident_counts
+        self._told: set[tuple[str, str]] = set()
+        self._tutor = engine.tutor if isinstance(engine.tutor, FunctionTutor) else None
+
+    def step(self, state: Any) -> Any:
+        """Return the command for this state, in the type that the controller returned.
+
+        The controller is asked with the very object; the other parts see copies of what they read. At level 0 the
+        command is the controller's own object; also where no other could be made or passed the last gate, which is an
+        incident.
+        """
+        snapshot = Snapshot()
+        try:
+            action = self.engine.step(state, snapshot.take(state, "state"))
+        finally:
+            snapshot.is_over = True
+        command = action if self._tutor is None else self._write(self._tutor, action)
+        if len(self._counts) > len(self._told):
+            self._tell()
+        return command
+
+    def _write(self, tutor: FunctionTutor, action: Action) -> Any:
+        if action is tutor.said:
+            return tutor.command
+        try:
+            command = tutor.written(action)
+            executed = tutor.read_back(action, command)
+            if executed is not None:
+                self.engine.executed(executed)
+            return command
+        except BaseException as error:
+            if tutor.said is None or is_owners(error):  # the controller failed: its last command is an old one
+                raise
+            self.engine.refused(error)
+            return tutor.command
+
+    def _tell(self) -> None:
+        for decision, part, kind, message in self.engine.incidents:
+            if (part, kind) not in self._told:
+                self._told.add((part, kind))
+                self._warn(
+                    "decision %d: %s: %s: %s (others of this kind are only counted)", decision, part, kind, message
+                )
+
+    def _warn(self, text: str, *words: object) -> None:
+        try:
+            logging.getLogger("tutorstudent").warning(text, *words)
+        except BaseException as error:  # whatever the owner's logging is made of, the command is more important
+            if is_owners(error):
+                raise
+
+    def executed(self, command: Any) -> None:
+        """Say what was really executed instead of the last command."""
+        self.engine.executed(self._tutor.read(command) if self._tutor else command)
+
+    def void(self, reason: str) -> None:
+        """Say that the last command must teach nothing (an emergency stop, teleoperation)."""
+        self.engine.void(reason)
