@@ -14,7 +14,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 REGISTRY = toy_registry()
-EXAMPLES = Path(__file__).parents[2] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
+EXAMPLES = Path(__file__).parents[3] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
 
 
 def pipeline(text: str = PIPELINE) -> Pipeline:

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from tutorstudent.command.program import app, main
 from tutorstudent.core.running.arrays import load_arrays
 
-EXAMPLES = Path(__file__).parents[1] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
+EXAMPLES = Path(__file__).parents[2] / "examples" / "prototype2" / "tutorstudent_prototype2" / "pipelines"
 FULL = EXAMPLES / "prototype2a.yaml"
 
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from tests.study.test_tables import study
+from tests.study.tables.test_tables import study
 from tutorstudent.study.tables.latex import document, escaped, latex
 from tutorstudent.study.tables.table import Row, Table
 from tutorstudent.study.tables.tables import tables

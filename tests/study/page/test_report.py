@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.study.made import made
-from tests.study.test_latex import body, check
+from tests.study.tables.test_latex import body, check
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study.numbers.comparisons import HEADER, families, write_differences

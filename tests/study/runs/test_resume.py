@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
+from tests.command.test_compare import app
 from tests.study.conftest import results
-from tests.study.test_command import app
 from tutorstudent.core.files.durable import alone, remove_partial, whole_folder, write_whole
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Study, load_plan, read_study, run_plan, save_plan

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
+from tests.command.test_compare import app
 from tests.study.conftest import results
-from tests.study.test_command import app
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Backend, Job, Plan, run_jobs, run_plan
 from tutorstudent.study.runs import backends as backends_module

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.core.mistakes.table import BASE, KEYS, PARTS, SYNTAX, VALUES, WIRING, Mistake
+from tests.core.files.mistakes.table import BASE, KEYS, PARTS, SYNTAX, VALUES, WIRING, Mistake
 from tests.core.toys import toy_registry
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.settings import read_settings

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from mypy import api
 
-SNIPPETS = sorted((Path(__file__).parents[1] / "typing").glob("*_*.py"))
+SNIPPETS = sorted((Path(__file__).with_name("typing")).glob("*_*.py"))
 
 
 @pytest.fixture(scope="module")

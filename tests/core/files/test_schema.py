@@ -17,7 +17,7 @@ from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.schema import pipeline_schema
 from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SHIPPED = sorted((ROOT / "examples").rglob("*.yaml"))
 
 
