@@ -1,4 +1,4 @@
-"""The behaviour contract, with parts that do everything that they should not (DESIGN section 4).
+"""The behaviour contract, with parts that do everything that they should not (docs/architecture.md).
 
 What each part may do is listed in `tests.core.oracle`; the judge there keeps its own record of what the tutor said and
 shares no code with the engine. `tests.soak` runs the same at full size.

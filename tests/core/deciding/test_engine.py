@@ -1,4 +1,4 @@
-"""The engine's life: steps, trials, records, learned state (DESIGN section 4)."""
+"""The engine's life: steps, trials, records, learned state."""
 
 from __future__ import annotations
 

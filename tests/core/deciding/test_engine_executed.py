@@ -1,4 +1,4 @@
-"""Other hands on the wheel: what was really executed (DESIGN section 4)."""
+"""Other hands on the wheel: what was really executed."""
 
 from __future__ import annotations
 

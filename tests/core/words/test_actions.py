@@ -1,4 +1,4 @@
-"""Action classes: what they declare, and what they refuse (Thesis 3.3.1, DESIGN section 5)."""
+"""Action classes: what they declare, and what they refuse (Thesis 3.3.1)."""
 
 from __future__ import annotations
 
