@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
+from tests import distributions
 from tutorstudent.checks import Report, checks_of, run_checks
 from tutorstudent.command.check import find_role
 from tutorstudent.command.program import app
@@ -46,11 +47,7 @@ def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., No
     """Return a function that installs a third party's module."""
 
     def write(module: str, text: str) -> None:
-        info = tmp_path / f"{module}-1.dist-info"
-        info.mkdir()
-        (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {module}\nVersion: 1\n")
-        (info / "entry_points.txt").write_text(f"[tutorstudent]\n{module} = {module}\n")
-        (tmp_path / f"{module}.py").write_text(text)
+        distributions.install(tmp_path, module, text)
         monkeypatch.syspath_prepend(str(tmp_path))
         monkeypatch.setenv("PYTHONPATH", str(tmp_path))
 

@@ -13,6 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from tests.core.toys import toy_registry
+from tests.distributions import install
 from tutorstudent.command import plugin_list
 from tutorstudent.command.common_options import VERBOSE
 from tutorstudent.command.plugin_info import find, page, yaml_line
@@ -147,11 +148,8 @@ def test_a_list_that_is_piped_has_a_line_for_each_component() -> None:
 
 
 def broken_distribution(folder: Path) -> None:
-    info = folder / "acme_robots-2.1.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme-robots\nVersion: 2.1\n")
-    (info / "entry_points.txt").write_text("[tutorstudent]\nacme-nav = acme_nav_broken\n")
-    (folder / "acme_nav_broken.py").write_text("import shapely_that_is_not_there\n")
+    source = "import shapely_that_is_not_there\n"
+    install(folder, "acme-robots", source, version="2.1", point="acme-nav", module="acme_nav_broken")
 
 
 def test_a_strict_list_exits_with_1_if_a_plugin_is_broken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

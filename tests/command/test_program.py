@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from tests.distributions import install
 from tutorstudent.command.program import app, main
 from tutorstudent.core.running.arrays import load_arrays
 
@@ -107,11 +108,14 @@ def test_a_missing_pybullet_is_a_sentence_with_the_remedy(tmp_path: Path) -> Non
 
 
 def test_a_broken_third_party_is_listed_with_reason_and_remedy_and_stops_nothing(tmp_path: Path) -> None:
-    info = tmp_path / "acme_robots-2.1.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme-robots\nVersion: 2.1\n")
-    (info / "entry_points.txt").write_text("[tutorstudent]\nacme-nav = acme_nav\n")
-    (tmp_path / "acme_nav.py").write_text("import shapely_that_is_not_there\n")
+    install(
+        tmp_path,
+        "acme-robots",
+        "import shapely_that_is_not_there\n",
+        version="2.1",
+        point="acme-nav",
+        module="acme_nav",
+    )
     listed = tutorstudent("plugins", "list", PYTHONPATH=str(tmp_path))
     assert 0 == listed.returncode
     assert "not loaded: 'acme-nav' (acme-robots 2.1): No module named 'shapely_that_is_not_there'." in listed.stdout
@@ -124,11 +128,9 @@ def test_a_broken_third_party_is_listed_with_reason_and_remedy_and_stops_nothing
 
 
 def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> None:
-    info = tmp_path / "acme-1.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1\n")
-    (info / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_student\n")
-    (tmp_path / "acme_student.py").write_text(
+    install(
+        tmp_path,
+        "acme",
         "import tutorstudent as ts\n"
         "class Bad(ts.Student):\n"
         "    name = 'bad'\n"
@@ -136,7 +138,7 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
         "    def propose(self, moment): raise RuntimeError('tired')\n"
         "    def teach(self, lesson): pass\n"
         "@ts.hookimpl\n"
-        "def tutorstudent_components(): return [Bad]\n"
+        "def tutorstudent_components(): return [Bad]\n",
     )
     words = ["run", str(FULL), "--decisions", "7", "--set", "student=bad", "--set", "selector=modifier"]
     lenient = tutorstudent(*words, "--out", str(tmp_path / "a"), PYTHONPATH=str(tmp_path))
@@ -146,11 +148,9 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
 
 
 def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) -> None:
-    info = tmp_path / "acme-1.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1\n")
-    (info / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_student\n")
-    (tmp_path / "acme_student.py").write_text(
+    install(
+        tmp_path,
+        "acme",
         "import tutorstudent as ts\n"
         "class Bad(ts.Student):\n"
         "    name = 'bad'\n"
@@ -159,7 +159,7 @@ def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) ->
         "    def teach(self, lesson): pass\n"
         "    def state_dict(self): return {'mind': object()}\n"
         "@ts.hookimpl\n"
-        "def tutorstudent_components(): return [Bad]\n"
+        "def tutorstudent_components(): return [Bad]\n",
     )
     words = ["run", str(FULL), "--decisions", "7", "--set", "student=bad", "--set", "selector=modifier"]
     done = tutorstudent(*words, "--out", str(tmp_path / "run"), PYTHONPATH=str(tmp_path))
@@ -171,18 +171,16 @@ def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) ->
 
 
 def test_what_plugins_say_is_text_and_no_markup(tmp_path: Path) -> None:
-    info = tmp_path / "acme-1.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1\n")
-    (info / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_condition\n")
-    (tmp_path / "acme_condition.py").write_text(
+    install(
+        tmp_path,
+        "acme",
         "import tutorstudent as ts\n"
         "@ts.condition('lost')\n"
         "def Lost(state):\n"
         "    'Subscribes to [/cmd_vel].'\n"
         "    return False\n"
         "@ts.hookimpl\n"
-        "def tutorstudent_components(): return [Lost]\n"
+        "def tutorstudent_components(): return [Lost]\n",
     )
     listed = tutorstudent("plugins", "list", PYTHONPATH=str(tmp_path), COLUMNS="160")
     assert (0, "") == (listed.returncode, listed.stderr)

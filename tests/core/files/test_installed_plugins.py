@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests import distributions
 from tutorstudent.core.files.loading import ALLOW_LIST, TRACE, Broken
 from tutorstudent.core.files.pipeline import load
 from tutorstudent.core.files.registry import Registry
@@ -52,11 +53,8 @@ def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install
     before = set(sys.modules)
 
     def make(name: str, source: str = GOOD, points: str | None = None, version: str = "2.1") -> None:
-        info = tmp_path / f"{name}-{version}.dist-info"
-        info.mkdir()
-        (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n")
-        (info / "entry_points.txt").write_text(points or f"[tutorstudent]\n{name} = {name}_plugin\n")
-        (tmp_path / f"{name}_plugin.py").write_text(source.replace("NAME", f"{name}-condition"))
+        text = source.replace("NAME", f"{name}-condition")
+        distributions.install(tmp_path, name, text, version=version, module=f"{name}_plugin", points=points or "")
 
     yield make
     for module in set(sys.modules) - before:

@@ -9,9 +9,8 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_registry
+from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_pipeline, toy_registry
 from tutorstudent.core.files.pipeline import Pipeline, describe
-from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles import part as part_module
 from tutorstudent.core.roles.leaves import Condition, Encoder
 from tutorstudent.core.roles.part import Field
@@ -144,7 +143,7 @@ for awkward in (Awkward, Demanding, Blind, Ledger, Elsewhere, Grey, Noted, Noted
 
 
 def pipeline(text: str = PIPELINE) -> Pipeline:
-    return Pipeline(parse_yaml(text, "p.yaml"), REGISTRY)
+    return toy_pipeline(text, REGISTRY)
 
 
 @pytest.mark.parametrize(

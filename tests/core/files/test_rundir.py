@@ -12,10 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.core.toys import PIPELINE, Pusher, Rail, toy_registry
+from tests.core.toys import PIPELINE, Pusher, Rail, toy_pipeline, toy_registry
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.rundir import Finished, prepare, run_pipeline, write_run
-from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles import part as part_module
 from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step
@@ -83,7 +82,7 @@ for toy in (Workshop, Counter, Forgetful):
 
 
 def finished(text: str = PIPELINE) -> Finished:
-    return run_pipeline(Pipeline(parse_yaml(text, "p.yaml"), REGISTRY))
+    return run_pipeline(toy_pipeline(text, REGISTRY))
 
 
 def test_a_run_can_be_read_and_repeated(tmp_path: Path) -> None:
@@ -119,7 +118,7 @@ def test_the_columns_say_what_was_decided() -> None:
 def test_what_was_learned_survives_the_file(tmp_path: Path) -> None:
     engine = finished().engine
     save_arrays(tmp_path / "learned.npz", flat(engine.state_dict()))
-    other = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY).engine()
+    other = toy_pipeline(registry=REGISTRY).engine()
     other.load_state_dict(nested(load_arrays(tmp_path / "learned.npz")))
     assert 50 == other.decisions
     ours, theirs = flat(engine.state_dict()), flat(other.state_dict())
@@ -193,7 +192,7 @@ def test_an_option_that_no_file_can_hold_is_refused_before_the_run() -> None:
             pass
 
     eager = Eager()
-    odd = Pipeline(parse_yaml(WORKSHOP, "p.yaml"), REGISTRY).replaced({"world.size": object()})
+    odd = toy_pipeline(WORKSHOP, REGISTRY).replaced({"world.size": object()})
     with pytest.raises(PipelineError, match="world: cannot be written into a file: an option holds a object"):
         run_pipeline(odd, [eager])
     assert not eager.began
@@ -243,12 +242,12 @@ def test_every_observer_is_closed_after_it_was_asked_for_its_summary() -> None:
         def close(self) -> None:
             self.said.append("close")
 
-    run_pipeline(Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY), [Careful()])
+    run_pipeline(toy_pipeline(registry=REGISTRY), [Careful()])
     assert ["summary", "close"] == Careful.said
 
 
 def test_observers_that_use_one_name_keep_all_their_counts() -> None:
-    pipeline = Pipeline(parse_yaml(PIPELINE + "observers: [counter, counter, counter]\n", "p.yaml"), REGISTRY)
+    pipeline = toy_pipeline(PIPELINE + "observers: [counter, counter, counter]\n", REGISTRY)
     summary = run_pipeline(pipeline).summary
     assert (0.5, 0.5, 0.5) == tuple(summary[key] for key in ("half", "half#2", "half#3"))
     assert "half#4" not in summary

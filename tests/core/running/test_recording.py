@@ -9,10 +9,8 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 import pytest
 
-from tests.core.toys import PIPELINE, Push, Pusher, toy_registry
-from tutorstudent.core.files.pipeline import Pipeline
+from tests.core.toys import PIPELINE, Push, Pusher, toy_pipeline, toy_registry
 from tutorstudent.core.files.rundir import run_pipeline
-from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
 from tutorstudent.core.running.observers import Begin
 from tutorstudent.core.running.recorder import Recorder
@@ -47,7 +45,7 @@ def test_components_that_are_no_floats_are_left_out() -> None:
     registry = toy_registry()
     registry.add(Labeller)
     text = PIPELINE.replace("tutor: pusher", "tutor: labeller")
-    columns = run_pipeline(Pipeline(parse_yaml(text, "p.yaml"), registry)).decisions
+    columns = run_pipeline(toy_pipeline(text, registry)).decisions
     assert ["force"] == columns["component_names"].tolist()
     assert (50, 1) == columns["executed"].shape
     assert (columns["executed"] >= 0.2).all()
@@ -57,7 +55,7 @@ def test_more_decisions_than_memory_are_a_sentence(monkeypatch: pytest.MonkeyPat
     def refuse(*_: Any, **__: Any) -> Any:
         raise MemoryError
 
-    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry())
+    pipeline = toy_pipeline()
     engine = pipeline.engine()
     begin = Begin(engine, pipeline.world(engine.tutor.action), 1_000_000_000)
     monkeypatch.setattr("tutorstudent.core.running.recorder.np", SimpleNamespace(zeros=refuse, int32=np.int32))
@@ -81,7 +79,7 @@ def test_no_two_paths_are_one() -> None:
 
 
 def test_a_condition_label_may_hold_a_slash(tmp_path: Path) -> None:
-    engine = Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry()).engine()
+    engine = toy_pipeline().engine()
     state = {**engine.state_dict(), "conditions.near/left": {"count": 3}}
     save_arrays(tmp_path / "learned.npz", flat(state))
     assert {"count": 3} == nested(load_arrays(tmp_path / "learned.npz"))["conditions.near/left"]

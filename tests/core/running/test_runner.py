@@ -7,9 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.core.toys import PIPELINE, Push, Pusher, Rail, toy_registry
-from tutorstudent.core.files.pipeline import Pipeline
-from tutorstudent.core.files.yamlfile import parse_yaml
+from tests.core.toys import Push, Pusher, Rail, toy_pipeline, toy_registry
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
@@ -32,7 +30,7 @@ class Witness(Observer):
 
 
 def ran(decisions: int, **world: Any) -> tuple[Any, list[tuple[Turn[Any, Any], Step[Any]]]]:
-    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY)
+    pipeline = toy_pipeline(registry=REGISTRY)
     engine, witness = pipeline.engine(), Witness()
     rail = Rail(**world)
     rail.bind(Binding(1, "world", Push))
@@ -81,7 +79,7 @@ def test_trials_differ_and_runs_repeat() -> None:
 
 
 def test_a_world_of_other_actions_is_refused() -> None:
-    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY)
+    pipeline = toy_pipeline(registry=REGISTRY)
     rail = Rail()
     rail.action = type("Other", (Push,), {})
     with pytest.raises(ContractError, match="world 'rail' executes Other but tutor 'pusher' returns Push"):
@@ -89,7 +87,7 @@ def test_a_world_of_other_actions_is_refused() -> None:
 
 
 def test_observers_count_what_the_loop_did() -> None:
-    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY)
+    pipeline = toy_pipeline(registry=REGISTRY)
     engine, rail, tally, events, witness = pipeline.engine(), Rail(), Tally(), WorldEvents(), Witness()
     run(engine, rail, 60, seed=1, observers=[tally, events, witness])
     turns = [turn for turn, _ in witness.seen]
@@ -129,7 +127,7 @@ def test_a_second_run_begins_a_new_trial_and_keeps_what_was_learned() -> None:
         def reset(self) -> None:
             resets.append(1)
 
-    pipeline = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY)
+    pipeline = toy_pipeline(registry=REGISTRY)
     engine = pipeline.engine(tutor=Remembering())
     run(engine, Rail(), 5, seed=1)
     learned = dict(engine.state_dict())
@@ -146,4 +144,4 @@ def test_a_world_whose_goal_is_none_of_its_events_is_refused(monkeypatch: pytest
         match=r"world 'rail': goal_event is 'distance', which is none of its events \(did you mean 'distance_m'\?\)\. "
         r"Events: collided, distance_m, .*leave goal_event empty",
     ):
-        check_world(Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry()).engine(), Rail())
+        check_world(toy_pipeline().engine(), Rail())

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.core.toys import PIPELINE, toy_registry
+from tests.core.toys import PIPELINE, toy_pipeline
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.rundir import run_pipeline, write_run
-from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles.part import Learned
 from tutorstudent.core.running.arrays import load_arrays, save_arrays
 from tutorstudent.core.running.transplanting import transplant
@@ -23,7 +22,7 @@ NETWORK = PIPELINE.replace("use: table", "use: backprop\n  hidden: 5")
 
 
 def pipeline(text: str = NETWORK) -> Pipeline:
-    return Pipeline(parse_yaml(text, "p.yaml"), toy_registry())
+    return toy_pipeline(text)
 
 
 @pytest.fixture

@@ -14,9 +14,8 @@ from pydantic import ValidationError
 
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.roles.world import World
 from tutorstudent.core.words.errors import ContractError, PipelineError
-from tutorstudent.sims.pioneer import bullet, tutorstudent_components
+from tutorstudent.sims.pioneer import bullet
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.calls import CallLog, bound
 from tutorstudent.sims.pioneer.layout import load_layout
@@ -106,23 +105,6 @@ def test_events_are_plain_floats_by_the_declared_names(make_world):
         assert list(step.events) == list(world.event_names)
         assert {type(value) for value in step.events.values()} == {float}
         assert (step.done, step.truncated) == (False, False)
-
-
-def test_the_events_say_how_a_run_summarizes_them(make_world):
-    assert dict(make_world("chase-avoid").event_names) == {
-        "stalled_ticks": "sum",
-        "collided": "sum",
-        "longest_stall": "max",
-        "contacts": "sum",
-        "contact_speed_mps": "max",
-        "hit_by_others": "sum",
-        "encounters": "sum",
-        "distance_m": "sum",
-        "time_s": "sum",
-        "x_m": "last",
-        "y_m": "last",
-        "heading_rad": "last",
-    }
 
 
 def test_jitter_moves_the_starts_with_the_seed_and_no_farther_than_it_says(make_world):
@@ -238,11 +220,6 @@ def test_a_relative_scene_is_described_so_that_it_is_found_from_elsewhere(
     assert (described.pop("use"), described["sonar_noise"]) == ("pioneer", 0.0)
     assert PioneerWorld(**described).describe()["scene"] == str(path)
     assert load_layout(described["scene"]).learner == 0
-
-
-def test_the_hook_names_the_world():
-    assert tutorstudent_components() == [PioneerWorld]
-    assert issubclass(PioneerWorld, World)
 
 
 def every_option(model):

@@ -88,6 +88,7 @@ VALUES = [
     Mistake("continue", "", "3:1", "on_incident", ("'continue' or 'raise'", "found nothing")),
     Mistake("length_m: 5", "length_m: .inf", "6:3", "world.length_m", ("finite number", "found inf")),
     Mistake("length_m: 5", "length_m: off", "6:3", "world.length_m", ("valid number", "found 'off'")),
+    Mistake("length_m: 5", "length_m: -5", "6:3", "world.length_m", ("world 'rail'", "greater than 0", "found -5")),
     Mistake("hidden: 3", "hidden: 0", "10:3", "student.hidden", ("greater than or equal to 1", "found 0")),
     Mistake("hidden: 3", "hidden: {n: 3}", "10:3", "student.hidden", ("valid integer", "found {'n': 3}")),
     Mistake("hidden: 3", "hidden: 3\n  momentum: 1.5", "11:3", "student.momentum", ("less than 1", "found 1.5")),
@@ -163,6 +164,7 @@ PARTS = [
     Mistake("tutor: pusher", "tutor: 3", "7:1", "tutor", ("found 3", "named by a word", "{use: name}")),
     Mistake("tutor: pusher", "tutor:", "7:1", "tutor", ("found nothing", "named by a word")),
     Mistake("tutor: pusher", "tutor: [pusher]", "7:1", "tutor", ("found ['pusher']", "named by a word")),
+    Mistake("tutor: pusher", "tutor: {name: pusher}", "7:1", "tutor", ("no 'use' in it", "name a tutor")),
     Mistake("tutor: pusher", "tutor: {use: 3}", "7:9", "tutor.use", ("found 3", "name of a tutor", "Installed:")),
     Mistake("tutor: pusher", "tutor: {pusher: {}}", "7:1", "tutor", ("no 'use' in it", "{use: pusher}")),
     Mistake("codec: kind-level-ampbit", "codec:", "15:3", "student.codec", ("found nothing", "a codec is named by")),
@@ -175,6 +177,13 @@ PARTS = [
     ),
     Mistake("of: [crashed]", "of: [~]", "22:10", "conditions.1.of.0", ("found nothing", "a condition is named")),
     Mistake("of: [crashed]", "of: []", "22:5", "conditions.1.of", ("at least 1 item",)),
+    Mistake(
+        "  - crashed\n  - use: any-of\n    of: [crashed]",
+        "  crashed",
+        "19:1",
+        "conditions",
+        ("found 'crashed'", "write a list, as in [name]"),
+    ),
     Mistake("  - attractors", "  attractors", "25:1", "observers", ("found 'attractors'", "write a list")),
     Mistake("  - attractors\n", "", "25:1", "observers", ("found nothing", "write a list")),
 ]
@@ -186,6 +195,7 @@ WIRING = [
     Mistake("kind-level-ampbit\nselector: same-kind", "level-ampbit", "8:1", "student", ("needs KindProposal",)),
     Mistake("- use: any-of\n    of: [crashed]", "- crashed", "21:5", "conditions.1", ("'crashed' stands there twice",)),
     Mistake("tutor: pusher", "tutor: prototype2", "4:1", "world", ("executes Push but", "returns DriveAction")),
+    Mistake("seed: 3", "on_tutor_failure: stop", "1:1", "on_tutor_failure", ("found 'stop'", "'raise' or an action")),
     Mistake("seed: 3", "on_tutor_failure: rise", "1:1", "on_tutor_failure", ("did you mean 'raise'?", "{kind: rest}")),
     Mistake(
         "seed: 3", "on_tutor_failure: {}", "1:1", "on_tutor_failure.kind", ("not a Push", "required", "{kind: rest}")
