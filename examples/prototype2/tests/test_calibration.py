@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -265,9 +264,7 @@ def test_predictions_of_earlier_days_are_not_run_again(tmp_path, monkeypatch):
 )
 def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(monkeypatch, doubted, run):
     def run_under(setting, scene, seed, pipeline, observers=()):
-        for observer in observers:
-            for number in range(10_000):
-                observer.observe(turn_with(number, ampbit=number not in doubted), None)
+        ts.run(doubting(doubted), Nowhere(), 10_000, observers=observers)
         return FREE._replace(attractors=float(pipeline.partition("-")[2] or 2500))
 
     monkeypatch.setattr(predictive, "run_under", run_under)
@@ -279,9 +276,43 @@ def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(
     }
 
 
-def turn_with(number: int, ampbit: bool) -> SimpleNamespace:
-    decision = SimpleNamespace(moment=SimpleNamespace(number=number), selected=SimpleNamespace(ampbit=ampbit))
-    return SimpleNamespace(decision=decision)
+class Nowhere(ts.World):
+    """Nothing ever happens."""
+
+    name = "nowhere"
+    action = ts.scalar(0.0, 1.0)
+
+    @property
+    def event_names(self):
+        return {}
+
+    def reset(self, seed):
+        return 0.0
+
+    def step(self, action):
+        return ts.Step(0.0, {})
+
+
+class Doubting(ts.Student):
+    """Sure of everything but some decisions."""
+
+    name = "doubting"
+    proposal = ts.LevelProposal
+
+    def __init__(self, doubted):
+        super().__init__()
+        self.doubted = doubted
+
+    def propose(self, moment):
+        return ts.LevelProposal(level=0, ampbit=moment.number not in self.doubted)
+
+    def teach(self, lesson):
+        pass
+
+
+def doubting(doubted):
+    loop = ts.wrap(lambda state: 0.5, action=Nowhere.action, student=Doubting(doubted), selector="modifier")
+    return loop.engine
 
 
 class Executed(ts.Observer):

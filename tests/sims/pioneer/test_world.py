@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import subprocess
 import sys
 from importlib import import_module
@@ -12,8 +13,12 @@ import pytest
 from annotated_types import Ge, Gt, Le, Lt
 from pydantic import ValidationError
 
+from tests.core.oracle.scripted import engine, level
+from tests.core.oracle.scripted import forward as script
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
 from tutorstudent.core.roles.binding import Binding
+from tutorstudent.core.running.observers import Observer, WorldEvents
+from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.sims.pioneer import bullet
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
@@ -105,6 +110,32 @@ def test_events_are_plain_floats_by_the_declared_names(make_world):
         assert list(step.events) == list(world.event_names)
         assert {type(value) for value in step.events.values()} == {float}
         assert (step.done, step.truncated) == (False, False)
+
+
+class Steps(Observer):
+    """Keeps what the world said."""
+
+    name = "steps"
+
+    def __init__(self):
+        super().__init__()
+        self.events = []
+
+    def observe(self, turn, step):
+        self.events.append(step.events)
+
+
+def test_a_run_adds_up_what_happened_and_keeps_the_most_and_the_last(make_world):
+    steps, summed = Steps(), WorldEvents()
+    run(engine(script(0.6), level(0)), make_world("chase-avoid"), 150, seed=3, observers=[steps, summed])
+    happened = {name: [events[name] for events in steps.events] for name in steps.events[0]}
+    rows = [len(list(row)) for collided, row in itertools.groupby(happened["collided"]) if collided]
+    assert max(rows) > 1
+    totals = {"stalled_ticks", "collided", "contacts", "hit_by_others", "encounters", "distance_m", "time_s"}
+    expected = {name: pytest.approx(sum(happened[name])) for name in totals}
+    expected |= {name: happened[name][-1] for name in ("x_m", "y_m", "heading_rad")}
+    expected |= {"longest_stall": max(rows), "contact_speed_mps": max(happened["contact_speed_mps"])}
+    assert expected == summed.summary()
 
 
 def test_jitter_moves_the_starts_with_the_seed_and_no_farther_than_it_says(make_world):
