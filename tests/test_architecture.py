@@ -110,6 +110,7 @@ def test_pybullet_is_imported_in_one_file() -> None:
     assert {"sims/pioneer/bullet.py"} == found
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("module", ["tutorstudent", "tutorstudent.command.program"])
 def test_importing_does_not_import_heavy_packages(module: str) -> None:
     code = f"import sys, {module}; print([name for name in {HEAVY!r} if name in sys.modules])"
@@ -117,6 +118,7 @@ def test_importing_does_not_import_heavy_packages(module: str) -> None:
     assert "[]" == done.stdout.strip()
 
 
+@pytest.mark.process
 def test_discovering_all_plugins_does_not_import_heavy_packages() -> None:
     code = (
         "import sys; from tutorstudent.core.files.registry import Registry; r = Registry.discover(); "
@@ -126,6 +128,7 @@ def test_discovering_all_plugins_does_not_import_heavy_packages() -> None:
     assert "[] []" == done.stdout.strip()
 
 
+@pytest.mark.process
 def test_the_engine_needs_neither_plugin_manager_nor_yaml() -> None:
     # The package's own __init__ re-exports everything, so the engine's module is loaded beside an empty one.
     code = (

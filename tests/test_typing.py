@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 from mypy import api
 
+pytestmark = pytest.mark.types
+
 SNIPPETS = sorted((Path(__file__).with_name("typing")).glob("*_*.py"))
 
 

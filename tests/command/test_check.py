@@ -58,6 +58,7 @@ def check(*words: str) -> Result:
     return CliRunner().invoke(app, ["plugins", "check", *words])
 
 
+@pytest.mark.process
 def test_it_counts_and_gives_every_reason() -> None:
     result = check("bumped")
     assert 0 == result.exit_code
@@ -68,6 +69,7 @@ def test_it_counts_and_gives_every_reason() -> None:
     assert any(line.startswith("passed  says_how_long_it_takes: median ") for line in lines)
 
 
+@pytest.mark.process
 def test_options_are_set_and_a_world_gives_the_states() -> None:
     result = check("backprop", "--set", "encoder=prototype2-bits", "--set", "hidden=2", "--world", "pioneer", "--json")
     told = json.loads(result.stdout)
@@ -76,6 +78,7 @@ def test_options_are_set_and_a_world_gives_the_states() -> None:
     assert {"check", "about", "status"} <= set(told["results"][0])
 
 
+@pytest.mark.process
 def test_a_failure_says_what_was_expected_what_was_seen_and_what_to_do(install: Callable[..., None]) -> None:
     install("acme_words", UNORDERED.format(name="acme-words", other="acme-halt", answer="'no'"))
     result = check("acme-halt")
@@ -88,6 +91,7 @@ def test_a_failure_says_what_was_expected_what_was_seen_and_what_to_do(install: 
     assert "1 failed" in lines[-1]
 
 
+@pytest.mark.process
 def test_what_depends_on_hash_values_is_found_in_another_process(install: Callable[..., None]) -> None:
     install("acme_sets", UNORDERED.format(name="acme-sets", other="acme-calm", answer="False"))
     part = Registry.discover().get("tutor", "acme-sets")()

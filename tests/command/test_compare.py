@@ -22,6 +22,7 @@ def call(*arguments: object) -> Any:
     return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_path: Path) -> None:
     out = tmp_path / "out"
@@ -48,6 +49,7 @@ def test_a_comparison_ends_with_tables_and_a_page(files: dict[str, Path], tmp_pa
     assert 12 == len(list(out.glob("runs/short/*/*/decisions.npz")))
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_a_comparison_in_which_nothing_is_counted_says_so(files: dict[str, Path], tmp_path: Path) -> None:
     result = call(files["alone"], "--runs", 1, "--decisions", 5, "--out", tmp_path / "out", "--set", "observers=[]")
@@ -59,6 +61,7 @@ def test_a_comparison_in_which_nothing_is_counted_says_so(files: dict[str, Path]
     assert "The goal" not in result.output
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path], tmp_path: Path) -> None:
     setting = "world.fails_with_seed=5"
@@ -109,6 +112,7 @@ def test_a_folder_that_cannot_be_made_is_an_error_of_ours(files: dict[str, Path]
     assert f"{inner}: cannot be written: " in str(result.exception)
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_what_could_not_be_saved_is_told_and_is_no_failure(
     files: dict[str, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -145,6 +149,7 @@ def test_a_missing_extra_is_named_with_its_remedy(monkeypatch: pytest.MonkeyPatc
     backends.check_extras(("matplotlib",))
 
 
+@pytest.mark.process
 def test_the_command_can_be_imported_without_the_extras() -> None:
     import subprocess
     import sys

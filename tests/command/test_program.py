@@ -33,6 +33,7 @@ def said(words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pyte
     return int(caught.value.code or 0), capsys.readouterr().err
 
 
+@pytest.mark.process
 def test_run_writes_a_directory_and_prints_its_summary(tmp_path: Path) -> None:
     out = tmp_path / "run"
     done = tutorstudent("run", str(FULL), "--decisions", "60", "--seed", "5", "--out", str(out), "--strict")
@@ -47,6 +48,7 @@ def test_run_writes_a_directory_and_prints_its_summary(tmp_path: Path) -> None:
     assert {"collided", "distance_m", "x_m", "y_m", "heading_rad"} <= set(columns["event_names"].tolist())
 
 
+@pytest.mark.process
 def test_a_run_repeats_from_its_own_pipeline(tmp_path: Path) -> None:
     one, other = tmp_path / "one", tmp_path / "other"
     assert 0 == tutorstudent("run", str(FULL), "--decisions", "80", "--out", str(one)).returncode
@@ -57,6 +59,7 @@ def test_a_run_repeats_from_its_own_pipeline(tmp_path: Path) -> None:
     }
 
 
+@pytest.mark.process
 def test_settings_take_the_place_of_the_files_values(tmp_path: Path) -> None:
     words = ["run", str(FULL), "--decisions", "5", "--set", "student.hidden=3", "--set", "world.scene=cave-box"]
     assert 0 == tutorstudent(*words, "--out", str(tmp_path / "run")).returncode
@@ -91,6 +94,7 @@ def test_a_mistake_is_one_sentence_and_exit_code_2(
     assert 1 == errors.count("\n")
 
 
+@pytest.mark.process
 def test_no_mistake_shows_a_traceback(tmp_path: Path) -> None:
     (tmp_path / "p.yaml").write_text("tutor: [\n")
     done = tutorstudent("run", str(tmp_path / "p.yaml"))
@@ -99,6 +103,7 @@ def test_no_mistake_shows_a_traceback(tmp_path: Path) -> None:
     assert f"{tmp_path / 'p.yaml'}:2:1: not valid YAML" in done.stderr
 
 
+@pytest.mark.process
 def test_a_missing_pybullet_is_a_sentence_with_the_remedy(tmp_path: Path) -> None:
     (tmp_path / "pybullet.py").write_text("raise ImportError('no pybullet here')\n")
     done = tutorstudent("run", str(FULL), "--out", str(tmp_path / "run"), PYTHONPATH=str(tmp_path))
@@ -107,6 +112,7 @@ def test_a_missing_pybullet_is_a_sentence_with_the_remedy(tmp_path: Path) -> Non
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.process
 def test_a_broken_third_party_is_listed_with_reason_and_remedy_and_stops_nothing(tmp_path: Path) -> None:
     install(
         tmp_path,
@@ -127,6 +133,7 @@ def test_a_broken_third_party_is_listed_with_reason_and_remedy_and_stops_nothing
     assert "Traceback" not in named.stderr
 
 
+@pytest.mark.process
 def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> None:
     install(
         tmp_path,
@@ -147,6 +154,7 @@ def test_strict_exits_with_1_if_a_part_broke_its_contract(tmp_path: Path) -> Non
     assert 1 == tutorstudent(*words, "--out", str(tmp_path / "b"), "--strict", PYTHONPATH=str(tmp_path)).returncode
 
 
+@pytest.mark.process
 def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) -> None:
     install(
         tmp_path,
@@ -170,6 +178,7 @@ def test_a_run_is_not_lost_to_a_student_that_cannot_be_stored(tmp_path: Path) ->
     assert {"pipeline.yaml", "run.json", "decisions.npz"} == {path.name for path in (tmp_path / "run").iterdir()}
 
 
+@pytest.mark.process
 def test_what_plugins_say_is_text_and_no_markup(tmp_path: Path) -> None:
     install(
         tmp_path,

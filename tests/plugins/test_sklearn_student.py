@@ -286,6 +286,7 @@ def test_without_scikit_learn_the_remedy_is_named(monkeypatch: pytest.MonkeyPatc
         student_of()
 
 
+@pytest.mark.process
 def test_the_plugin_is_importable_without_scikit_learn() -> None:
     code = "import sys; sys.modules['sklearn'] = None; import tutorstudent.plugins.sklearn_student"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -74,6 +74,7 @@ def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:
     assert "  tutorstudent compare pipeline.yaml " in result.stdout
 
 
+@pytest.mark.process
 def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) -> None:
     write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path)
     program = (

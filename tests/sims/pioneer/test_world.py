@@ -61,6 +61,7 @@ def test_the_same_seed_is_the_same_trial_whatever_came_before(make_world, drive)
     assert trace(first, 8, decisions) != alone
 
 
+@pytest.mark.process
 def test_the_same_seed_is_the_same_trial_in_another_process(make_world):
     program = (
         "from tests.sims.pioneer.test_world import trace\n"
@@ -211,6 +212,7 @@ def test_without_pybullet_the_remedy_is_told(make_world, monkeypatch):
     assert str(caught.value) == ("world 'pioneer' needs pybullet; install it with: pip install 'tutorstudent[bullet]'")
 
 
+@pytest.mark.process
 def test_without_pybullet_the_package_can_still_be_listed():
     program = (
         "import sys; sys.modules['pybullet'] = None\n"

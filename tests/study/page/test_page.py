@@ -31,6 +31,8 @@ from tutorstudent.study.tables.media import html
 from tutorstudent.study.tables.search_table import TITLE, level_colours_by_name, search_table
 from tutorstudent.study.tables.tables import CONTROLS
 
+pytestmark = pytest.mark.study
+
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 
 

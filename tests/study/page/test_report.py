@@ -44,6 +44,7 @@ def rows(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
+@pytest.mark.study
 def test_a_report_can_be_made_again_to_the_last_byte_and_compares_everything(folder: Path) -> None:
     study = write_report(folder)
     before = {name: (folder / name).read_bytes() for name in FILES}

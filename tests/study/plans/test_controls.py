@@ -75,6 +75,7 @@ print(len(study.runs), len(study.failures), plan.environments[0].name, "pybullet
 """
 
 
+@pytest.mark.process
 def test_a_pipeline_without_a_simulator_is_compared_in_its_own_world(
     files: dict[str, Path], corridor_distribution: Path, tmp_path: Path
 ) -> None:

@@ -26,6 +26,7 @@ def cluster() -> Iterator[Any]:
         yield running
 
 
+@pytest.mark.study
 def test_a_cluster_of_dasks_leaves_the_same_bytes(planned: Callable[..., Plan], tmp_path: Path, cluster: Any) -> None:
     plan = planned(runs=1, search_runs=0)
     run_plan(plan, tmp_path / "here")
@@ -33,6 +34,7 @@ def test_a_cluster_of_dasks_leaves_the_same_bytes(planned: Callable[..., Plan], 
     assert results(tmp_path / "here") == results(tmp_path / "there")
 
 
+@pytest.mark.study
 def test_a_job_that_fails_on_a_cluster_does_not_take_the_others_along(
     planned: Callable[..., Plan], tmp_path: Path, cluster: Any
 ) -> None:

@@ -17,6 +17,8 @@ from tutorstudent.study.plans.requests import Request, read_pipelines
 from tutorstudent.study.runs.jobs import Finished, run_job, run_jobs
 from tutorstudent.study.runs.results import read_study, write_csv
 
+pytestmark = pytest.mark.study
+
 PIONEER = """\
 decisions: 40
 world: {use: pioneer, scene: cave-predator-prey-box}
@@ -40,6 +42,7 @@ def outputs(plan: Plan, folder: Path, workers: int) -> dict[Path, bytes]:
     }
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("fresh_workers")
 def test_one_two_and_three_workers_leave_the_same_bytes(
     files: dict[str, Path], registry: Registry, tmp_path: Path
@@ -51,6 +54,7 @@ def test_one_two_and_three_workers_leave_the_same_bytes(
         assert alone == outputs(plan, tmp_path / str(workers), workers)
 
 
+@pytest.mark.process
 def test_the_pioneer_world_does_the_same_in_two_workers(tmp_path: Path) -> None:
     pytest.importorskip("pybullet")
     path = tmp_path / "pioneer.yaml"
@@ -129,6 +133,7 @@ def test_a_number_that_a_run_does_not_have_is_empty_in_the_results(
     assert "" == first[header.index("turns")]
 
 
+@pytest.mark.process
 @pytest.mark.usefixtures("fresh_workers")
 def test_a_worker_that_dies_leaves_failures_and_no_traceback(
     files: dict[str, Path], registry: Registry, tmp_path: Path

@@ -16,6 +16,8 @@ import pytest
 from tests.study.conftest import results
 from tutorstudent.study import Plan, run_plan
 
+pytestmark = [pytest.mark.process, pytest.mark.study]
+
 
 def finished(folder: Path) -> dict[Path, tuple[int, int]]:
     """Return inode and time of change of every complete run."""

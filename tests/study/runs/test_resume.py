@@ -35,6 +35,7 @@ def inodes(folder: Path) -> dict[Path, int]:
     return {path: path.stat().st_ino for path in folder.rglob("run.json")}
 
 
+@pytest.mark.study
 def test_a_complete_study_is_left_as_it_is(planned: Planned, folder: Path) -> None:
     study = run_plan(planned(), folder)
     before, there = results(folder), inodes(folder)
@@ -42,6 +43,7 @@ def test_a_complete_study_is_left_as_it_is(planned: Planned, folder: Path) -> No
     assert (before, there) == (results(folder), inodes(folder))
 
 
+@pytest.mark.study
 def test_runs_that_failed_are_run_again_and_the_others_stay(
     planned: Planned, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -67,6 +69,7 @@ def test_runs_that_failed_are_run_again_and_the_others_stay(
     assert undisturbed.plan == study.plan
 
 
+@pytest.mark.study
 def test_the_runs_of_a_level_that_is_no_longer_the_best_go(
     planned: Planned, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -100,6 +103,7 @@ def empty(path: Path) -> None:
     path.write_text("{}")
 
 
+@pytest.mark.study
 @pytest.mark.parametrize(
     ("name", "harm"),
     [
@@ -125,6 +129,7 @@ def test_a_run_that_is_damaged_is_a_failure_and_is_run_again(
     assert before == results(folder)
 
 
+@pytest.mark.study
 def test_what_was_not_finished_writing_is_removed(planned: Planned, folder: Path) -> None:
     plan = planned("alone")
     run_plan(plan, folder)
@@ -138,6 +143,7 @@ def test_what_was_not_finished_writing_is_removed(planned: Planned, folder: Path
     assert not list(folder.rglob(".*"))
 
 
+@pytest.mark.study
 def test_two_processes_do_not_work_on_one_study(planned: Planned, folder: Path) -> None:
     pytest.importorskip("fcntl")
     with alone(folder), pytest.raises(PipelineError, match="another process works on this study; wait for it, or end"):
@@ -145,6 +151,7 @@ def test_two_processes_do_not_work_on_one_study(planned: Planned, folder: Path) 
     assert () == run_plan(planned("alone"), folder).failures
 
 
+@pytest.mark.study
 def test_a_plan_that_was_not_finished_writing_is_no_study(planned: Planned, folder: Path) -> None:
     (folder / ".plan.json.partial").write_text("{")
     assert () == run_plan(planned("alone"), folder).failures
@@ -173,6 +180,7 @@ def test_other_versions_are_refused_with_their_names(planned: Planned, folder: P
 # The command
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_the_command_goes_on_without_the_pipelines(planned: Planned, folder: Path) -> None:
     save_plan(planned("alone"), folder)
@@ -181,6 +189,7 @@ def test_the_command_goes_on_without_the_pipelines(planned: Planned, folder: Pat
     assert "2 runs, 0 failed." in result.output
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("registry")
 def test_the_command_goes_on_with_the_same_pipelines_and_begins_where_there_is_nothing(
     files: dict[str, Path], folder: Path

@@ -179,6 +179,7 @@ def test_levels_that_all_came_to_the_same_are_said_to(planned: Planned) -> None:
 # What it makes of a study
 
 
+@pytest.mark.study
 def test_the_table_is_what_the_runs_say(planned: Planned, folder: Path) -> None:
     plan = planned(search_runs=2, decisions=50)
     study = run_plan(plan, folder)
@@ -235,6 +236,7 @@ def test_a_search_that_has_not_ended_leaves_runs_that_wait(planned: Planned, fol
     assert BEST not in [variant.name for variant in study.plan.variants()]
 
 
+@pytest.mark.study
 def test_a_search_in_which_every_level_fails_leaves_the_others_alone(
     planned: Planned, files: dict[str, Path], folder: Path
 ) -> None:
@@ -247,6 +249,7 @@ def test_a_search_in_which_every_level_fails_leaves_the_others_alone(
     assert {BEST} == {item.variant for item in study.waiting}
 
 
+@pytest.mark.study
 def test_a_goal_that_no_run_counted_is_told_after_the_search(planned: Planned, folder: Path) -> None:
     plan = planned("full", goal="violated:nothing")
     with pytest.raises(PipelineError, match=r"--goal violated:nothing: no run counts it.* What is counted: .*turns"):
@@ -261,6 +264,7 @@ def test_a_table_that_is_damaged_is_told_with_the_remedy(planned: Planned, folde
         read_study(folder, planned())
 
 
+@pytest.mark.study
 def test_a_table_that_was_removed_is_made_again(planned: Planned, folder: Path) -> None:
     run_plan(planned(), folder)
     before = results(folder)

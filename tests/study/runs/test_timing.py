@@ -13,6 +13,8 @@ from tutorstudent.study import Finished, Job, Plan, read_study, run_plan
 from tutorstudent.study.runs.progress import shown
 from tutorstudent.study.runs.timing import Spent, load_timing, save_timing
 
+pytestmark = pytest.mark.study
+
 
 def test_a_study_took_what_its_runs_and_sittings_took(planned: Callable[..., Plan], folder: Path) -> None:
     plan = planned("alone")
