@@ -13,7 +13,13 @@ import pytest
 from tutorstudent.study.runs import jobs
 
 TAKES_LONG = {
-    "process": [(subprocess.Popen, "__init__"), (os, "fork"), (os, "posix_spawn"), (_posixsubprocess, "fork_exec")],
+    "process": [
+        (subprocess.Popen, "__init__"),
+        (os, "fork"),
+        (os, "posix_spawn"),
+        (_posixsubprocess, "fork_exec"),
+        (pytest, "main"),
+    ],
     "study": [(jobs, "run_pipeline")],
 }
 """What a test calls, at some depth, that has to have the marker."""

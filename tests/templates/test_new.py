@@ -22,6 +22,7 @@ from tutorstudent.templates.naming import names_of
 from tutorstudent.templates.writing import contents, write_plugin
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("role", ROLES)
 def test_the_example_of_every_role_passes_its_checks_and_runs(
     role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

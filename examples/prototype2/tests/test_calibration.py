@@ -264,7 +264,8 @@ def test_predictions_of_earlier_days_are_not_run_again(tmp_path, monkeypatch):
 )
 def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(monkeypatch, doubted, run):
     def run_under(setting, scene, seed, pipeline, observers=()):
-        ts.run(doubting(doubted), Nowhere(), 10_000, observers=observers)
+        if observers:
+            ts.run(doubting(doubted), Nowhere(), max(PHASES) + 1, observers=observers)
         return FREE._replace(attractors=float(pipeline.partition("-")[2] or 2500))
 
     monkeypatch.setattr(predictive, "run_under", run_under)
