@@ -107,9 +107,9 @@ lint: $(VENV)/.dev ## ruff's rules
 types: $(VENV)/.dev ## mypy --strict
 	$(BIN)/mypy
 
-QUICK := not (slow or process or study or types)
+QUICK := not (slow or process or study or simulator or types)
 
-quick: $(VENV)/.dev ## in less than a minute: the tests that start no process, run no study and no mypy
+quick: $(VENV)/.dev ## in less than a minute: the tests without processes, studies, long simulations and mypy
 	$(BIN)/python -m pytest -n $(WORKERS) -m '$(QUICK)'
 
 tests: $(VENV)/.dev ## all tests but the slow ones

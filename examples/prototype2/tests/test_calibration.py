@@ -327,6 +327,7 @@ class Executed(ts.Observer):
         self.actions.append(repr(turn.decision.executed))
 
 
+@pytest.mark.simulator
 def test_where_no_ampbit_was_overruled_a_longer_learning_phase_is_the_same_run():
     doubts = Doubts(500)
     short = executed_with(500, doubts)
