@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from tutorstudent.command.compare import compare
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 from tutorstudent.study.runs import backends
 
 app = typer.Typer(pretty_exceptions_enable=False)
@@ -77,19 +77,18 @@ def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path]
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--vary", "world.scen=long"], r"did you mean 'scene'"),
-        (["--vary", "scene"], r"--vary scene: write key=value"),
-        (["--set", "decisions=none"], r"full.yaml \(with decisions=none\): decisions: "),
-        (["--set", "student.encoder=inch"], r"no encoder named 'inch'"),
+        (["--vary", "world.scen=long"], "did you mean 'scene'"),
+        (["--vary", "scene"], "--vary scene: write key=value"),
+        (["--set", "decisions=none"], "full.yaml (with decisions=none): decisions: "),
+        (["--set", "student.encoder=inch"], "no encoder named 'inch'"),
     ],
 )
 def test_a_mistake_is_an_error_of_ours_before_anything_is_written(
     files: dict[str, Path], tmp_path: Path, arguments: list[str], message: str
 ) -> None:
     result = call(files["full"], "--out", tmp_path / "out", *arguments)
-    assert isinstance(result.exception, PipelineError | Exception)
-    with pytest.raises(Exception, match=message):
-        raise result.exception
+    assert isinstance(result.exception, TutorStudentError)
+    assert message in str(result.exception)
     assert not (tmp_path / "out").exists()
 
 

@@ -200,8 +200,10 @@ def test_only_rounds_before_the_freezing_are_candidates():
 
 def test_a_walk_goes_only_where_prototype_2_agrees(tmp_path, monkeypatch):
     monkeypatch.setattr(walks, "run_under", fake_run)
-    here = start(0)
-    for (look,) in walk_on(tmp_path, 1, 20, 1):
+    here, looks = start(0), [look for (look,) in walk_on(tmp_path, 1, 20, 1)]
+    assert 20 == len(looks)
+    assert {True, False} == {look.agrees for look in looks}
+    for look in looks:
         assert neighbour(here, look.round).choices == look.choices
         here = look if look.agrees else here
 

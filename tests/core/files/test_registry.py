@@ -217,6 +217,6 @@ def test_the_allow_list_limits_third_parties_only(plugin: Any, monkeypatch: pyte
     monkeypatch.setenv(ALLOW_LIST, "two")
     registry = Registry.discover([*points, *metadata.entry_points(group="tutorstudent")])
     assert Rail is registry.get("world", "rail")
-    assert registry.get("selector", "same-kind")
-    with pytest.raises(UnknownPlugin):
+    assert "same-kind" == registry.get("selector", "same-kind").name
+    with pytest.raises(UnknownPlugin, match="no tutor named 'pusher'"):
         registry.get("tutor", "pusher")

@@ -87,7 +87,9 @@ def test_less_harm_is_better(study: Study) -> None:
 
 
 def test_controls_are_not_tested(study: Study) -> None:
-    for item in family(study, "Differences to the tutor alone: what was found").comparisons:
+    found = family(study, "Differences to the tutor alone: what was found").comparisons
+    assert {True, False} == {item.variant.control for item in found}
+    for item in found:
         assert (item.variant.control, item.variant.control) == (item.p is None, item.p_holm is None)
 
 

@@ -38,8 +38,7 @@ def test_p_is_scipys(pairs: int) -> None:
 
 
 def test_drawn_signs_come_near_to_all_signs() -> None:
-    assert EXACT_UP_TO == 16
-    assert 2**EXACT_UP_TO == 65_536
+    assert 12 <= EXACT_UP_TO < 12 + 5
     # A pair without a difference makes no difference: the same p, once drawn and once counted.
     few = tuple(np.random.default_rng(5).normal(0.4, 1, size=12).tolist())
     exact, drawn = sign_flip(few), sign_flip((*few, *(0.0,) * 5))
