@@ -26,7 +26,8 @@ from tutorstudent.core.words.errors import (
     UnknownPlugin,
 )
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
-from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
+from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome
+from tutorstudent.core.words.turn import Turn
 from tutorstudent.wrapping import wrap
 
 __version__ = "0.1.0"

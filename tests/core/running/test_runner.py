@@ -13,7 +13,7 @@ from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
 from tutorstudent.core.running.runner import check_world, run, trial_seed
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 REGISTRY = toy_registry()
 
@@ -116,7 +116,7 @@ def test_entries_count_each_time_a_situation_begins() -> None:
     turn, _ = seen[0]
     for situation, done in [("spin", 0), ("spin", 0), ("", 0), ("spin", 1), ("spin", 0)]:
         moment = turn.decision.moment._replace(situation=situation)
-        spins.observe(turn._replace(decision=turn.decision._replace(moment=moment)), Step(0.0, {}, bool(done)))
+        spins.observe(Turn(turn.decision._replace(moment=moment)), Step(0.0, {}, bool(done)))
     assert {"spins": 3.0} == dict(spins.summary())
 
 

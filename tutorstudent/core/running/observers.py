@@ -11,7 +11,7 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.world import Step, Summary, World
 from tutorstudent.core.words.proposals import KindProposal
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 
 class Begin(NamedTuple):
