@@ -25,6 +25,7 @@ from tutorstudent.core.words.errors import (
     TutorStudentError,
     UnknownPlugin,
 )
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
 from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome
 from tutorstudent.core.words.turn import Turn
@@ -59,6 +60,7 @@ __all__ = [
     "LevelProposal",
     "Limits",
     "Loop",
+    "Measure",
     "Moment",
     "Observer",
     "Options",

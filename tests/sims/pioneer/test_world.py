@@ -17,7 +17,8 @@ from tests.core.oracle.scripted import engine, level
 from tests.core.oracle.scripted import forward as script
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.running.observers import Observer, WorldEvents
+from tutorstudent.core.running.meter import WorldEvents
+from tutorstudent.core.running.observers import Observer
 from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.sims.pioneer import bullet

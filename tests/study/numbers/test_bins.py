@@ -7,7 +7,8 @@ import itertools
 import numpy as np
 import pytest
 
-from tutorstudent.study.numbers.curves import binned, covers, edges, middles
+import tutorstudent as ts
+from tutorstudent.study.numbers.curves import binned, covers, curve_title, edges, learning_curve, middles
 
 
 @pytest.mark.parametrize(
@@ -54,3 +55,29 @@ def test_rates_times_widths_add_up_to_the_total() -> None:
 )
 def test_the_width_of_a_bin_is_said(decisions: int, words: str) -> None:
     assert words == covers(decisions)
+
+
+@pytest.mark.parametrize(
+    ("summed", "unit", "expected"),
+    [
+        ("sum", "", [500.0, 0.0, 4000.0]),
+        ("max", "", [1.0, np.nan, 5.0]),
+        ("mean", "", [1.0, np.nan, 4.0]),
+        ("last", "", [1.0, np.nan, 4.0]),
+        ("mean", "%", [100.0, np.nan, 400.0]),
+    ],
+)
+def test_a_learning_curve_is_of_the_decisions_that_have_a_number(
+    monkeypatch: pytest.MonkeyPatch, summed: str, unit: str, expected: list[float]
+) -> None:
+    monkeypatch.setattr("tutorstudent.study.numbers.curves.TENTHS", 3)
+    measure = ts.Measure("x", unit=unit, summed=summed)  # type: ignore[arg-type]
+    values = np.array([1.0, np.nan, np.nan, np.nan, 3.0, 5.0])
+    np.testing.assert_array_equal(expected, learning_curve(values, measure))
+
+
+def test_a_curve_says_what_its_points_are() -> None:
+    harm = ts.Measure("collided", "collided decisions")
+    assert "collided decisions per 1,000" == curve_title(harm)
+    assert "effort, J per 1,000 decisions" == curve_title(ts.Measure("effort", unit="J"))
+    assert "hardest, N" == curve_title(ts.Measure("hardest", unit="N", summed="max"))

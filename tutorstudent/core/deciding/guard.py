@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter, deque
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
-from types import TracebackType
+from inspect import CO_VARARGS
+from types import FrameType, TracebackType
 from typing import Any, Literal
 
 from tutorstudent.core.words.errors import ContractError
@@ -13,6 +14,8 @@ from tutorstudent.core.words.records import Incident
 
 OnIncident = Literal["continue", "raise"]
 REMEMBERED = 1000
+MESSAGE = 500
+"""Longest message of an incident, in characters."""
 
 
 class Breach(Exception):
@@ -51,13 +54,13 @@ class Guard:
         """
         if is_owners(error):
             raise error
-        kind = error.kind if isinstance(error, Breach) else "raised"
-        incident = Incident(self._decision, part, kind, _say(error))
+        kind, message = _say(error)
+        incident = Incident(self._decision, part, kind, message)
         self.counts[part, kind] += 1
         self.log.append(incident)
         self._incidents.append(incident)
         if self.on_incident == "raise":
-            raise ContractError(f"decision {self._decision}: {part}: {kind}: {incident.message}") from error
+            raise ContractError(f"decision {self._decision}: {part}: {kind}: {message}") from error
 
     def call(self, part: str, function: Callable[[], Any]) -> None:
         """Call something that belongs to a part; what it raises is an incident."""
@@ -98,15 +101,46 @@ class Blame:
 
 
 def is_owners(error: BaseException) -> bool:
-    """Return whether an exception is the owner's and not a part's: Ctrl-C."""
-    return issubclass(type(error), KeyboardInterrupt)
+    """Return whether an exception is a stop from outside and not a part's.
+
+    It is the owner's if it is Ctrl-C, or if a signal handler raised it. A handler is told apart by its call: Python
+    calls it with the signal's number and the very frame that it interrupts, so that a function stands in the traceback
+    whose second argument is the frame below it.
+    """
+    if issubclass(type(error), KeyboardInterrupt):
+        return True
+    trace = error.__traceback__
+    while trace is not None:
+        if _handles_a_signal(trace.tb_frame):
+            return True
+        trace = trace.tb_next
+    return False
 
 
-def _say(error: BaseException) -> str:
-    name = type(error).__name__
+def _handles_a_signal(frame: FrameType) -> bool:
+    code, below = frame.f_code, frame.f_back
+    if below is None:
+        return False
+    values = frame.f_locals
+    given = [values.get(name) for name in code.co_varnames[: code.co_argcount]]
+    if code.co_flags & CO_VARARGS:
+        given += values.get(code.co_varnames[code.co_argcount + code.co_kwonlyargcount], ())
+    return any(argument is below for argument in given)
+
+
+def _say(error: BaseException) -> tuple[str, str]:
+    """Return kind and message of what a part raised, however it behaves when it is looked at."""
+    if type(error) is Breach:
+        return error.kind, str(error)
     try:
-        return str(error) if isinstance(error, Breach) else f"{name}: {error}"[:500]
+        name = str(type(error).__name__)
+        try:
+            return "raised", f"{name}: {error}"[:MESSAGE]
+        except BaseException as another:
+            if is_owners(another):
+                raise
+            return "raised", f"{name} (its message could not be read)"
     except BaseException as another:
         if is_owners(another):
             raise
-        return f"{name} (its message could not be read)"
+        return "raised", "an exception that cannot even be named"

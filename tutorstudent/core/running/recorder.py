@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,8 +11,10 @@ from numpy.typing import NDArray
 from tutorstudent.core.deciding.ladder import HIGHEST_LEVEL
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
 from tutorstudent.core.words.errors import PipelineError
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.turn import Turn
 
 NO_LEVEL = -1
@@ -39,6 +42,8 @@ HEADS = (
 class Recorder(Observer):
     """Keeps every decision as numbers: kinds, situations, levels, bits, components, violations, lessons, events.
 
+    It shows decisions to the other observers and keeps what they measure too, NaN where they measured nothing.
+
     `arrays` returns one entry for each column, shape (decisions,) or (decisions, n); names that index into a column
     stand beside it (``kind_names`` for ``kind``). ``said`` is the tutor's own action, ``executed`` what was executed;
     ``limited_by`` and ``void`` say why, with an empty name for nothing; ``incident_part`` is the first that failed. A
@@ -47,7 +52,17 @@ class Recorder(Observer):
 
     name = "recorder"
 
+    def __init__(self, observers: Sequence[Observer] = ()) -> None:
+        super().__init__()
+        self._meter = Meter(observers)
+
+    @property
+    def measured(self) -> list[Measure]:
+        """What the other observers measure; known once they have begun."""
+        return self._meter.measures
+
     def begin(self, begin: Begin) -> None:
+        self._meter.begin(begin)
         specs = begin.engine.tutor.action.vocabulary.components
         self._components = [name for name, spec in specs.items() if spec.number]
         self._conditions = [condition.label for condition in begin.engine.conditions]
@@ -69,6 +84,7 @@ class Recorder(Observer):
         self._executed = np.zeros((decisions, len(self._components)))
         self._violated = np.zeros((decisions, len(self._conditions)), dtype=bool)
         self._world = np.zeros((decisions, len(self._events)))
+        self._measured = np.zeros((decisions, len(self.measured)))
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         i, decision = self._count, turn.decision
@@ -80,6 +96,8 @@ class Recorder(Observer):
             self._violated[i] = [name in turn.outcome.violated for name in self._conditions]
         events = step.events
         self._world[i] = [events.get(name, 0.0) for name in self._events]
+        numbers = self._meter.observe(turn, step)
+        self._measured[i] = [numbers.get(measure.name, np.nan) for measure in self.measured]
         self._count += 1
 
     def _head(self, turn: Turn[Any, Any], *, ended: bool) -> tuple[int, ...]:
@@ -101,6 +119,10 @@ class Recorder(Observer):
             ended,
         )
 
+    def summary(self) -> Mapping[str, float]:
+        """Return what the other observers measured and counted."""
+        return self._meter.summary()
+
     def arrays(self) -> Arrays:
         """Return the columns, as long as there were decisions."""
         n = self._count
@@ -118,6 +140,8 @@ class Recorder(Observer):
             "condition_names": _as_array(self._conditions),
             "events": self._world[:n],
             "event_names": _as_array(self._events),
+            "measures": self._measured[:n],
+            "measure_names": _as_array([measure.name for measure in self.measured]),
         }
 
 

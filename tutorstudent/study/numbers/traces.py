@@ -2,55 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import isclose
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.study.numbers.curves import (
-    DECISIONS,
     Curve,
-    binned,
-    counted,
+    count_by_decision,
     event,
     harmed,
-    level,
-    matched,
+    learning_curve,
     places,
+    series,
     thinned,
     total,
 )
+from tutorstudent.study.numbers.declared import harm_in, measures_in
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Run, Study
 
-LEVEL = "amplification level"
-MATCH = "match rate, %"
 
-
-class Measures(NamedTuple):
+class Counted(NamedTuple):
     """What is counted in one environment."""
 
     counters: dict[str, str]
-    """What adds up decision by decision, and the situation whose entries that is; empty for an event of the world's."""
+    """What adds up decision by decision, and the situation whose entries that is; empty for any other measure."""
     harm: str
     """``collided`` or, where the world knows no collisions, ``violated``."""
     goal: str = ""
     """What is gained, of a run's summary; empty for nothing."""
+    measures: tuple[Measure, ...] = ()
+    """All of which some run recorded every decision."""
 
     def harm_total(self) -> str:
         """Return the title of the harm of a whole run, as in the tables."""
         return f"{self.harm} decisions"
-
-    def harm_rate(self) -> str:
-        """Return the title of the harm over the decisions."""
-        return f"{self.harm} decisions per {DECISIONS:,}"
-
-    def rates(self) -> list[str]:
-        """Return the titles of what is shown over the decisions as a rate."""
-        return [*(_rate(name) for name in self.counters), self.harm_rate(), LEVEL, MATCH]
 
 
 class Trace(NamedTuple):
@@ -63,7 +52,7 @@ class Trace(NamedTuple):
     totals: dict[str, Curve]
     """By title: how often it had happened, at `curves.thinned` decisions; the last is the end."""
     rates: dict[str, Curve]
-    """By title, a value for each of `curves.edges`; what the run does not have is missing."""
+    """By measure, a value for each of `curves.edges`; what the run does not have is missing."""
     harm_places: NDArray[np.float64] | None
     """Where each harmed decision ended, shape (harmed, 2), metres; None if the world does not say."""
     contact_places: NDArray[np.float64] | None
@@ -73,7 +62,7 @@ class Trace(NamedTuple):
 class Traces(NamedTuple):
     """All runs of one environment."""
 
-    measures: Measures
+    counted: Counted
     by_variant: dict[str, list[Trace]]
     """By seed."""
     firsts: dict[str, Arrays]
@@ -92,10 +81,10 @@ class Traces(NamedTuple):
             for name, found in self.by_variant.items()
         }
 
-    def rates(self, title: str) -> dict[str, list[Curve]]:
-        """Return one measure of every run that has it, as a rate."""
+    def rates(self, measure: Measure) -> dict[str, list[Curve]]:
+        """Return the learning curve of every run that has one."""
         return {
-            name: [trace.rates[title] for trace in found if title in trace.rates]
+            name: [trace.rates[measure.name] for trace in found if measure.name in trace.rates]
             for name, found in self.by_variant.items()
         }
 
@@ -103,54 +92,42 @@ class Traces(NamedTuple):
 def read_traces(study: Study, environment: Environment) -> Traces:
     """Read every run of an environment."""
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    every = [run for found in runs.values() for run in found]
-    counters = {name: into for name, into in environment.counters().items() if into or _adds_up(name, every)}
-    measures = Measures(counters, _harm(every), study.plan.goal)
+    counted = _counted(study, environment)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
         by_variant[name] = []
         for run in found:
             arrays = run.arrays()
-            by_variant[name].append(_trace(run, arrays, measures))
+            by_variant[name].append(_trace(run, arrays, counted))
             if run.seed == study.plan.seeds[0]:
                 firsts[name] = arrays
-    return Traces(measures, by_variant, firsts)
+    recorded = {name for traces in by_variant.values() for trace in traces for name in trace.rates}
+    there = tuple(measure for measure in counted.measures if measure.name in recorded)
+    return Traces(counted._replace(measures=there), by_variant, firsts)
 
 
-def _harm(runs: Sequence[Run]) -> str:
-    return "collided" if any("collided" in run.summary for run in runs) else "violated"
+def _counted(study: Study, environment: Environment) -> Counted:
+    measures = measures_in(environment, study.runs)
+    sums = [measure.name for measure in measures if measure.summed == "sum"]
+    counters = {name: situation for name, situation in environment.counters().items() if situation or name in sums}
+    return Counted(counters, harm_in(measures).name, study.plan.goal, tuple(measures))
 
 
-def _adds_up(name: str, runs: Sequence[Run]) -> bool:
-    """Return whether a number of the summaries is the sum of an event, and not its last, largest or mean value."""
-    totals = ((run.summary[name], counted(run.arrays(), name, "")) for run in runs if name in run.summary)
-    summed, values = next(totals, (0.0, None))
-    return values is not None and isclose(summed, float(values.sum()), rel_tol=1e-6)
-
-
-def _rate(name: str) -> str:
-    return f"{name} per {DECISIONS:,} decisions"
-
-
-def _trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
-    harm = harmed(arrays)
-    found = {name: counted(arrays, name, situation) for name, situation in measures.counters.items()}
+def _trace(run: Run, arrays: Arrays, counted: Counted) -> Trace:
+    harm, situations = harmed(arrays), counted.counters
+    found = {name: count_by_decision(arrays, name, situation) for name, situation in situations.items()}
     happened = {name: values for name, values in found.items() if values is not None}
     at = thinned(len(harm))
-    totals = {name: total(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
-    rates = {_rate(name): DECISIONS * binned(values) for name, values in happened.items()}
-    rates |= {measures.harm_rate(): DECISIONS * binned(harm.astype(float)), LEVEL: binned(level(arrays))}
-    match = matched(arrays)
-    if match is not None:
-        rates[MATCH] = 100 * binned(match.astype(float))
+    totals = {name: total(which)[at] for name, which in (happened | {counted.harm_total(): harm}).items()}
+    numbers = {item: happened.get(item.name, series(arrays, item.name)) for item in counted.measures}
     where, contacts = places(arrays), event(arrays, "contacts")
     return Trace(
         run.seed,
         len(harm),
-        run.summary.get(measures.goal),
+        run.summary.get(counted.goal),
         totals,
-        rates,
+        {item.name: learning_curve(values, item) for item, values in numbers.items() if values is not None},
         None if where is None else where[harm],
         None if where is None or contacts is None else where[contacts > 0],
     )

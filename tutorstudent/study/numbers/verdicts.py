@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
+from tutorstudent.study.numbers.declared import harm_in, measures_in
 from tutorstudent.study.numbers.intervals import Interval
-from tutorstudent.study.numbers.measures import DECISIONS, PER, Measure, harm, per_decisions
 from tutorstudent.study.numbers.pairs import Difference, paired
+from tutorstudent.study.numbers.quantities import DECISIONS, Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 
@@ -42,10 +43,9 @@ class Judgement(NamedTuple):
     verdict: Verdict
 
 
-def harm_rate(study: Study, environment: Environment) -> Measure:
+def harm_rate(study: Study, environment: Environment) -> Quantity:
     """Return what is judged."""
-    counted = harm([run for run in study.runs if run.environment == environment.name])
-    return per_decisions(counted.title, counted.key, better=-1)
+    return Quantity(harm_in(measures_in(environment, study.runs)), DECISIONS)
 
 
 def judgements(study: Study, environment: Environment, margin: float = MARGIN) -> list[Judgement]:
@@ -66,7 +66,7 @@ def judgements(study: Study, environment: Environment, margin: float = MARGIN) -
 
 
 def _judgement(
-    variant: Variant, runs: Sequence[Run], alone: Sequence[Run], measure: Measure, margin: float
+    variant: Variant, runs: Sequence[Run], alone: Sequence[Run], measure: Quantity, margin: float
 ) -> Judgement | None:
     ours = measure.by_seed(runs)
     if not ours:
@@ -75,7 +75,7 @@ def _judgement(
     if pairs is None:
         return Judgement(variant.name, variant.control, mean, None, Verdict.UNDECIDED)
     difference = pairs.difference(ONE_SIDED)
-    decisions = sum(run.summary[DECISIONS] for run in runs if run.seed in pairs.seeds)
+    decisions = sum(run.summary[DECISIONS.key] for run in runs if run.seed in pairs.seeds)
     return Judgement(variant.name, variant.control, mean, difference, verdict(difference.interval, decisions, margin))
 
 
@@ -90,7 +90,7 @@ def verdict(interval: Interval | None, decisions: float, margin: float = MARGIN)
     >>> str(verdict(Interval(-2.0, 4.0), 30_000)), str(verdict(Interval(8.0, 12.0), 30_000))
     ('not worse', 'undecided')
     """
-    if interval is None or decisions * margin < RULE_OF_THREE * PER:
+    if interval is None or decisions * margin < RULE_OF_THREE * DECISIONS.amount:
         return Verdict.UNDECIDED
     if interval.high < margin:
         return Verdict.NOT_WORSE

@@ -22,7 +22,7 @@ class Axis(NamedTuple):
     """One scale, the same for all charts of a row."""
 
     limit: float
-    """It reaches from 0 to here."""
+    """It reaches from 0, or from what is below, to here."""
     ticks: tuple[tuple[float, str], ...]
     """Values and how they are written."""
     share: Callable[[Curve], Curve]
@@ -39,14 +39,21 @@ def across(decisions: float) -> Axis:
     return Axis(decisions, shown, lambda values: values / decisions)
 
 
-def upward(highest: Sequence[float]) -> Axis:
-    """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above."""
-    top = max([1.0, *highest])
-    limit = top * 1.04
-    if is_long_tailed(highest):
+def upward(highest: Sequence[float], lowest: float = 0.0, least: float = 1.0) -> Axis:
+    """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above.
+
+    Args:
+        highest: Of each curve.
+        lowest: Of all curves; the scale begins at 0 or below.
+        least: What the scale holds at least, so that next to nothing does not look like much.
+    """
+    top, bottom = max([least, *highest]), min(0.0, lowest)
+    limit = top + 0.04 * (top - bottom)
+    if is_long_tailed(highest) and not bottom:
         return Axis(limit, _written(long_ticks(top, (5, 10))), lambda values: long_share(values, limit), LONG_LABEL)
-    ticks = MaxNLocator(5, integer=True, steps=STEPS).tick_values(0, top)
-    return Axis(limit, _written([tick for tick in ticks if 0 <= tick <= limit]), lambda values: values / limit)
+    ticks = MaxNLocator(5, integer=least >= 1, steps=STEPS).tick_values(bottom, top)
+    shown = _written([tick for tick in ticks if bottom <= tick <= limit])
+    return Axis(limit, shown, lambda values: (values - bottom) / (limit - bottom))
 
 
 def _written(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
@@ -68,8 +75,11 @@ class Chart:
         self._curves: list[str] = []
 
     def add_curve(self, at: Curve, values: Curve, kind: str, colour: str) -> None:
-        """Add a curve; `kind` is its class in the style sheet, `colour` a CSS colour."""
-        xs, ys = self._x(at), self._y(values)
+        """Add a curve, points that are NaN left out; `kind` is its class in the style sheet, `colour` a CSS one."""
+        there = np.isfinite(values)
+        if not there.any():
+            return
+        xs, ys = self._x(at[there]), self._y(values[there])
         points = "L".join(f"{x:.4g} {y:.4g}" for x, y in zip(xs, ys, strict=True))
         self._curves.append(f'<path class="{kind}" style="stroke:{colour}" d="M{points}"/>')
 

@@ -8,8 +8,9 @@ from html import escape
 from typing import NamedTuple
 
 from tutorstudent.core.roles.world import Sketch
-from tutorstudent.study.numbers.curves import covers, middles, thinned
-from tutorstudent.study.numbers.traces import MATCH, Traces
+from tutorstudent.core.words.measures import Measure
+from tutorstudent.study.numbers.curves import covers, curve_title, middles, thinned
+from tutorstudent.study.numbers.traces import Traces
 from tutorstudent.study.pictures.film import Film, film
 from tutorstudent.study.pictures.harms import harm_map
 from tutorstudent.study.pictures.maps import level_scale, way_map
@@ -37,27 +38,25 @@ def gallery_html(gallery: Gallery) -> str:
     return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'
 
 
-def rate_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
-    """Yield a gallery for each rate: the counters, the harm, the level, and how often the student named the kind."""
-    covered = covers(decisions)
-    for title in traces.measures.rates():
-        bundle = Bundle(title, middles(decisions), f"In the last {covered}", traces.rates(title), environment.reference)
-        about = f" {escape(NAMING)}" if title == MATCH else ""
-        note = f"Each point covers {covered}. {_lines(environment, bundle)}{about}"
-        yield Gallery(_capital(title), note, "film", panels(bundle, palette))
+def rate_gallery(
+    environment: Environment, traces: Traces, decisions: int, palette: Palette, measure: Measure
+) -> Gallery:
+    """Return the learning curves of one measure."""
+    covered, title = covers(decisions), curve_title(measure)
+    is_count = measure.summed == "sum" and not measure.unit
+    last, curves = f"In the last {covered}", traces.rates(measure)
+    bundle = Bundle(title, middles(decisions), last, curves, environment.reference, is_count)
+    about = f" {escape(_capital(measure.description))}." if measure.description else ""
+    note = f"Each point covers {covered}. {_lines(environment, bundle)}{about}"
+    return Gallery(_capital(title), note, "film", panels(bundle, palette))
 
 
 def total_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
     """Yield a gallery for each thing that is counted."""
     at = thinned(decisions) + 1.0
-    for title in (*traces.measures.counters, traces.measures.harm_total()):
+    for title in (*traces.counted.counters, traces.counted.harm_total()):
         bundle = Bundle(title, at, "At the end of each run", traces.totals(title), environment.reference)
         yield Gallery(_capital(title), _lines(environment, bundle), "film", panels(bundle, palette))
-
-
-NAMING = (
-    "Share of the decisions in which the student named the tutor's kind of action; only of students that name kinds."
-)
 
 
 def _lines(environment: Environment, bundle: Bundle) -> str:
@@ -89,9 +88,9 @@ def harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Gallery:
     drawn = [
         harm_map(name, sketch, found, traces.firsts.get(name), palette) for name, found in traces.by_variant.items()
     ]
-    collided = traces.measures.harm == "collided"
+    collided = traces.counted.harm == "collided"
     note = (
-        f"Every {escape(traces.measures.harm)} decision of all runs is a dot where the robot stood then"
+        f"Every {escape(traces.counted.harm)} decision of all runs is a dot where the robot stood then"
         f"{', a ring where a contact began' if collided else ''}; the more there are, the fainter each. "
         "In the background the way of the first run; bodies stand where they begin."
     )
@@ -104,11 +103,11 @@ def film_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed:
     name = _first_learner(environment)
     if name not in traces.firsts:
         return Gallery("Film", "", "cinema", [])
-    title, measures = f"{name}, seed {seed}", traces.measures
-    taken = film(title, sketch, traces.firsts[name], measures.counters, measures.harm)
+    title, counted = f"{name}, seed {seed}", traces.counted
+    taken = film(title, sketch, traces.firsts[name], counted.counters, counted.harm)
     if taken is None:
         return Gallery("Film", "", "cinema", [])
-    return Gallery("Film", _caption(taken, title, measures.harm), "cinema", [_figure(taken, title)])
+    return Gallery("Film", _caption(taken, title, counted.harm), "cinema", [_figure(taken, title)])
 
 
 def _first_learner(environment: Environment) -> str:

@@ -12,7 +12,7 @@ from tutorstudent.study.pictures.galleries import (
     Gallery,
     film_gallery,
     harm_gallery,
-    rate_galleries,
+    rate_gallery,
     total_galleries,
     way_gallery,
 )
@@ -31,6 +31,8 @@ class Pictures(NamedTuple):
     details: list[Gallery]
     totals: list[Gallery]
     """The learning curves once more, summed up."""
+    others: list[Gallery]
+    """The learning curves of what is a detail."""
 
 
 def pictures(study: Study, environment: Environment, palette: Palette) -> Pictures:
@@ -38,18 +40,20 @@ def pictures(study: Study, environment: Environment, palette: Palette) -> Pictur
     traces = read_traces(study, environment)
     sketch = load_sketch(study.folder / "sketches" / f"{environment.name}.json")
     decisions, seed = study.plan.decisions, study.plan.seeds[0]
+    rates = {item: rate_gallery(environment, traces, decisions, palette, item) for item in traces.counted.measures}
     return Pictures(
         _filled([_gain_gallery(environment, traces, palette)]),
         _filled(
             [
                 _strip_gallery(traces, palette),
-                *rate_galleries(environment, traces, decisions, palette),
+                *(gallery for measure, gallery in rates.items() if not measure.detail),
                 way_gallery(environment, traces, sketch, seed, palette),
                 harm_gallery(traces, sketch, palette),
                 film_gallery(environment, traces, sketch, seed),
             ]
         ),
         _filled(total_galleries(environment, traces, decisions, palette)),
+        _filled(gallery for measure, gallery in rates.items() if measure.detail),
     )
 
 
@@ -71,13 +75,13 @@ def _gain_gallery(environment: Environment, traces: Traces, palette: Palette) ->
 
 
 def _strip_gallery(traces: Traces, palette: Palette) -> Gallery:
-    titles = [*traces.measures.counters, traces.measures.harm_total()]
+    titles = [*traces.counted.counters, traces.counted.harm_total()]
     ends = {
         title: {name: [float(curve[-1]) for curve in found] for name, found in traces.totals(title).items()}
         for title in titles
     }
     goals = traces.goals()
-    if traces.measures.goal not in ends and any(goals.values()):
-        ends = {traces.measures.goal: goals} | ends
+    if traces.counted.goal not in ends and any(goals.values()):
+        ends = {traces.counted.goal: goals} | ends
     drawn = [strip(title, values, palette) for title, values in ends.items()]
     return Gallery("Every run", "A dot is a run, a bar the median.", "pair", drawn)

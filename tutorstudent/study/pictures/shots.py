@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from tutorstudent.core.roles.world import Point, Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.curves import Curve, counted, event, harmed, places, total
+from tutorstudent.study.numbers.curves import Curve, count_by_decision, event, harmed, places, total
 from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, level_scale
 from tutorstudent.study.pictures.palette import FLOOR, HARM, MAP_COLOURS, WALL
 
@@ -46,7 +46,7 @@ def shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str) -> 
     if where is None:
         return None
     scale, levels = level_scale(), np.minimum(arrays["resulting_level"], HIGHEST_LEVEL)
-    found = {name: counted(arrays, name, situation) for name, situation in counters.items()}
+    found = {name: count_by_decision(arrays, name, situation) for name, situation in counters.items()}
     counts = {name: total(values) for name, values in found.items() if values is not None}
     hurt = harmed(arrays)
     return Shot(

@@ -1,80 +1,72 @@
-"""The columns of the tables."""
+"""The columns of the tables: one for each measure, in the table and the form that its declaration asks for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.measures import Measure, per_time, per_way
-from tutorstudent.study.tables.cells import Cell, about, achieved, heavy_tailed, highest, mean, percent, total, typical
+from tutorstudent.core.words.measures import Measure
+from tutorstudent.study.numbers.quantities import TIME, WAY, Quantity
+from tutorstudent.study.tables.cells import Cell, about, achieved, heavy_tailed, highest, mean, typical
+
+TITLES = {"more": "What was found", "less": "What it cost", None: "What the parts did"}
+"""The table of a measure, by what is better."""
+RATES = "By way and by time"
 
 
 class Column(NamedTuple):
     """A column of a table: a number of every run, and how the runs of a row are shown."""
 
-    measure: Measure
+    quantity: Quantity
     cell: Cell
-    compared: bool = False
-    """Beside it stands the paired difference to the tutor alone."""
+
+    @property
+    def title(self) -> str:
+        """The heading; says what is shown where it is not the spread over runs."""
+        return self.quantity.title + (" (max)" if self.cell is highest else "")
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether the paired difference to the tutor alone stands beside it."""
+        return self.quantity.better != 0 and self.quantity.over is None
 
 
-def found(counters: Iterable[str]) -> list[Column]:
-    """Return the columns about what was found: what the tutor counts, and what the world does."""
-    counted = [Column(Measure(name, name), achieved, compared=True) for name in counters]
-    others = [_column("encounters", "encounters", typical), _column("distance, m", "distance_m", typical)]
-    return [*counted, *_without(counted, others)]
+def columns_by_table(measures: Sequence[Measure]) -> dict[str, list[Column]]:
+    """Return the columns of each table by its title: the sums of runs, then what tells more from faster."""
+    found = {title: [column(item) for item in measures if item.better == better] for better, title in TITLES.items()}
+    return found | {RATES: list(rates(measures))}
 
 
-def cost() -> list[Column]:
-    """Return the columns about harm."""
-    return [
-        Column(Measure("collided decisions", "collided"), heavy_tailed, compared=True),
-        _column("contacts", "contacts", heavy_tailed),
-        _column("violated, as the learner saw it", "violated", heavy_tailed),
-        _column("hardest contact, m/s (max)", "contact_speed_mps", highest),
-        _column("longest stall, decisions (max)", "longest_stall", highest),
-    ]
+def column(measure: Measure) -> Column:
+    """Return the column of a measure: its spread over runs, with the worst run where that is what matters."""
+    if measure.better == "more":
+        return Column(Quantity(measure), achieved)
+    if measure.summed == "max":
+        return Column(Quantity(measure), highest)
+    if measure.better == "less":
+        return Column(Quantity(measure), heavy_tailed)
+    return Column(Quantity(measure), typical)
 
 
-def rates(counters: Iterable[str]) -> list[Column]:
-    """Return the columns that tell more of everything from doing something better: by way and by time."""
-    counted = [*((name, name) for name in counters), *HARMS]
-    made = [per(title, key) for title, key in dict(counted).items() for per in (per_way, per_time)]
-    return [Column(measure, about) for measure in made if measure.key != measure.over]
+def rates(measures: Iterable[Measure]) -> Iterable[Column]:
+    """Yield the columns by way and by time of every sum of which more or less is better, but for details."""
+    for measure in measures:
+        if measure.better and measure.summed == "sum" and not measure.detail:
+            yield from (Column(Quantity(measure, over), about) for over in (WAY, TIME) if over.key != measure.name)
 
 
-HARMS = (("collided decisions", "collided"), ("contacts", "contacts"), ("violated", "violated"))
+def digest(measures: Iterable[Measure]) -> list[Column]:
+    """Return the columns that a narrow terminal shows: what is no detail, in short cells."""
+    shown = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
+    short: dict[Cell, Cell] = {achieved: about, heavy_tailed: about, typical: mean, highest: highest}
+    return [made._replace(cell=short[made.cell]) for made in map(column, shown)]
 
 
-def conduct() -> list[Column]:
-    """Return the columns about what the parts did."""
-    return [
-        _column("simulated time, s (mean)", "time_s", mean),
-        _column("named the tutor's kind (mean)", "match_rate", percent),
-        _column("raised by the amplifier (mean)", "amplified_share", percent),
-        _column("mean level", "mean_level", mean),
-        _column("incidents (sum)", "incidents", total),
-    ]
+def explain(columns: Iterable[Column]) -> str:
+    """Return what the columns count, those that say it, each measure once.
 
-
-def digest(counters: Iterable[str]) -> list[Column]:
-    """Return the few columns that fit a narrow terminal."""
-    counted = [_column(name, name, about) for name in counters]
-    others = [
-        _column("collided", "collided", about),
-        _column("contacts", "contacts", about),
-        _column("way, m", "distance_m", mean),
-        _column("stall", "longest_stall", highest),
-        _column("level", "mean_level", mean),
-    ]
-    return [*counted, *_without(counted, others)]
-
-
-def _without(there: Iterable[Column], others: Iterable[Column]) -> list[Column]:
-    """Return the other columns but for those whose number stands there already."""
-    keys = [column.measure.key for column in there]
-    return [column for column in others if column.measure.key not in keys]
-
-
-def _column(title: str, key: str, cell: Cell) -> Column:
-    return Column(Measure(title, key), cell)
+    >>> explain([Column(Quantity(Measure("falls", description="how often it fell")), about)])
+    'falls: how often it fell.'
+    """
+    measures = dict.fromkeys(column.quantity.measure for column in columns)
+    return " ".join(f"{item.title}: {item.description}." for item in measures if item.description)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tutorstudent.study.numbers.measures import Measure
+from tutorstudent.study.numbers.declared import measures_in
 from tutorstudent.study.numbers.pairs import paired
+from tutorstudent.study.numbers.quantities import Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 from tutorstudent.study.tables.cells import NOTHING, difference
-from tutorstudent.study.tables.columns import Column, conduct, cost, digest, found, rates
+from tutorstudent.study.tables.columns import RATES, Column, columns_by_table, digest, explain
 from tutorstudent.study.tables.difference_tables import difference_tables, verdict_tables
 from tutorstudent.study.tables.table import Row, Table
 
@@ -27,48 +28,47 @@ INTERVALS = (
 
 def tables(study: Study, environment: Environment) -> list[Table]:
     """Return what was found, what it cost and what the parts did, then what is compared to what."""
-    counters = environment.counters()
     described = [
-        _table(study, environment, "What was found", found(counters)),
-        _table(study, environment, "What it cost", cost()),
-        _table(study, environment, "By way and by time", rates(counters)),
-        _table(study, environment, "What the parts did", conduct()),
+        _table(study, environment, title, columns, note="" if title == RATES else explain(columns))
+        for title, columns in _columns(study, environment).items()
+        if columns
     ]
-    compared = [*verdict_tables(study, environment), *difference_tables(study, environment)]
-    return [table for table in described if len(table.header) > 1] + compared
+    return [*described, *verdict_tables(study, environment), *difference_tables(study, environment)]
 
 
 def digest_table(study: Study, environment: Environment) -> Table:
     """Return the one table that a terminal shows; the others stand in the page and in table.md."""
+    columns = digest(measures_in(environment, study.runs))
     title = f"{len(study.plan.seeds)} runs each, mean ± standard deviation"
-    table = _table(study, environment, title, digest(environment.counters()))
-    return Table(title, table.header[1:], tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
+    plain = environment._replace(reference="")  # differences stand in the other tables
+    table = _table(study, plain, title, columns, explain(columns))
+    return table._replace(header=table.header[1:], rows=tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
 
 
 def runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
-    counters = environment.counters()
-    columns = [*found(counters), *cost(), *rates(counters), *conduct()]
-    there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column.measure for column in columns if column.measure.known(there)]
+    shown = [column.quantity for columns in _columns(study, environment).values() for column in columns]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_alone(run, measure) for measure in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_number(run, quantity) for quantity in shown)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
-    header = ("seed", *(measure.title.partition(" (")[0] for measure in shown))
-    return Table("Every run", header, tuple(rows))
+    return Table("Every run", ("seed", *(quantity.title for quantity in shown)), tuple(rows))
 
 
-def _table(study: Study, environment: Environment, title: str, columns: Sequence[Column]) -> Table:
+def _columns(study: Study, environment: Environment) -> dict[str, list[Column]]:
+    """Return the columns of each table, without those that no run has."""
     there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column for column in columns if column.measure.known(there)]
+    found = columns_by_table(measures_in(environment, there))
+    return {title: [item for item in columns if item.quantity.known(there)] for title, columns in found.items()}
+
+
+def _table(study: Study, environment: Environment, title: str, columns: Sequence[Column], note: str) -> Table:
     header = ["runs"]
-    for column in shown:
-        is_compared = column.compared and environment.reference
-        header += [column.measure.title, "difference"] if is_compared else [column.measure.title]
-    rows = [_row(study, environment, variant, shown) for variant in environment.variants]
-    return Table(title, tuple(header), tuple(rows))
+    for column in columns:
+        header += [column.title, "difference"] if column.is_compared and environment.reference else [column.title]
+    rows = [_row(study, environment, variant, columns) for variant in environment.variants]
+    return Table(title, tuple(header), tuple(rows), note)
 
 
 def _row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
@@ -76,9 +76,9 @@ def _row(study: Study, environment: Environment, variant: Variant, columns: Sequ
     reference = study.of(environment.name, environment.reference)
     for column in columns:
         cells.append(_cell(runs, column))
-        if column.compared and environment.reference:
+        if column.is_compared and environment.reference:
             itself = variant.name == environment.reference
-            cells.append(NOTHING if itself else _difference(runs, reference, column.measure))
+            cells.append(NOTHING if itself else _difference(runs, reference, column.quantity))
     return Row(variant.name, variant.control, tuple(cells))
 
 
@@ -91,16 +91,16 @@ def _runs(study: Study, environment: Environment, variant: str) -> str:
 
 
 def _cell(runs: Sequence[Run], column: Column) -> str:
-    values = column.measure.by_seed(runs)
+    values = column.quantity.by_seed(runs)
     missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
     return column.cell(list(values.values())) + missing if values else NOTHING
 
 
-def _difference(runs: Sequence[Run], reference: Sequence[Run], measure: Measure) -> str:
-    pairs = paired(measure.by_seed(runs), measure.by_seed(reference))
+def _difference(runs: Sequence[Run], reference: Sequence[Run], quantity: Quantity) -> str:
+    pairs = paired(quantity.by_seed(runs), quantity.by_seed(reference))
     return difference(pairs.difference() if pairs else None)
 
 
-def _alone(run: Run, measure: Measure) -> str:
-    value = measure.of(run.summary)
+def _number(run: Run, quantity: Quantity) -> str:
+    value = quantity.of(run.summary)
     return NOTHING if value is None else f"{value:.6g}"
