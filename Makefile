@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check format lint types tests slow soak bench install docs clean \
+.PHONY: help demo picture compare test check fix format lint types quick tests slow soak bench install hooks docs clean \
 	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
@@ -29,6 +29,9 @@ $(VENV)/.prototype2: pyproject.toml examples/prototype2/pyproject.toml | $(VENV)
 	touch $@ $(VENV)/.demo
 
 install: $(VENV)/.dev ## set up the virtual environment with everything
+
+hooks: $(VENV)/.dev ## format, lint and types before every commit, by pre-commit
+	$(BIN)/pre-commit install
 
 demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
 	rm -rf demo-out
@@ -91,16 +94,25 @@ controllers controllers-smoke:
 test: check ## all checks: format, lint, types, tests with warnings as errors
 check: format lint types docs tests
 
-format: $(VENV)/.dev
+fix: $(VENV)/.dev ## format the code, and mend what ruff can mend
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+format: $(VENV)/.dev ## is everything formatted?
 	$(BIN)/ruff format --check .
 
-lint: $(VENV)/.dev
+lint: $(VENV)/.dev ## ruff's rules
 	$(BIN)/ruff check .
 
-types: $(VENV)/.dev
+types: $(VENV)/.dev ## mypy --strict
 	$(BIN)/mypy
 
-tests: $(VENV)/.dev
+QUICK := not (slow or process or study or simulator or types)
+
+quick: $(VENV)/.dev ## in less than a minute: the tests without processes, studies, long simulations and mypy
+	$(BIN)/python -m pytest -n $(WORKERS) -m '$(QUICK)'
+
+tests: $(VENV)/.dev ## all tests but the slow ones
 	$(BIN)/python -m pytest -n $(WORKERS)
 
 slow: $(VENV)/.dev ## the tests that take minutes to hours each, which `make test` leaves out

@@ -1,4 +1,4 @@
-"""Imports go one way, and heavy packages stay where they belong."""
+"""Imports go one way, heavy packages stay where they belong, and nothing grows beyond what fits on a screen or two."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import ast
 import re
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
@@ -42,6 +43,8 @@ APART = {
     "study": ("tutorstudent.plugins", "tutorstudent.sims", "tutorstudent.checks", "tutorstudent.templates"),
 }
 """What an area must not import although it lies below."""
+LONGEST_FILE, LONGEST_FUNCTION = 250, 40
+"""In lines; of a function without its head and its docstring."""
 HEAVY = ("pybullet", "sklearn", "joblib", "scipy", "matplotlib", "gymnasium")
 
 
@@ -104,12 +107,39 @@ def test_plugins_take_only_the_robots_vocabulary_from_the_simulator() -> None:
     assert [] == offences(is_more)
 
 
+def length(function: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
+    """Return the number of lines of a function's body without its docstring."""
+    body = function.body[ast.get_docstring(function) is not None :]
+    return function.end_lineno - body[0].lineno + 1 if body and function.end_lineno else 0
+
+
+def test_no_file_is_longer_than_can_be_read_at_once() -> None:
+    lengths = {path.relative_to(PACKAGE): len(path.read_text(encoding="utf-8").splitlines()) for path in FILES}
+    assert {} == {str(path): lines for path, lines in lengths.items() if lines > LONGEST_FILE}
+
+
+def test_no_function_is_longer_than_a_screen() -> None:
+    functions = [
+        (f"{path.relative_to(PACKAGE)}:{node.lineno} {node.name}", length(node))
+        for path in FILES
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    ]
+    assert {} == {name: lines for name, lines in functions if lines > LONGEST_FUNCTION}
+
+
+def test_no_three_files_have_one_name() -> None:
+    stems = Counter(path.stem for path in FILES)
+    assert {} == {stem: count for stem, count in stems.items() if count > 2 and stem != "__init__"}
+
+
 def test_pybullet_is_imported_in_one_file() -> None:
     pattern = re.compile(r"import pybullet|from pybullet|import_module\(\"pybullet")
     found = {path.relative_to(PACKAGE).as_posix() for path in FILES if pattern.search(path.read_text(encoding="utf-8"))}
     assert {"sims/pioneer/bullet.py"} == found
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("module", ["tutorstudent", "tutorstudent.command.program"])
 def test_importing_does_not_import_heavy_packages(module: str) -> None:
     code = f"import sys, {module}; print([name for name in {HEAVY!r} if name in sys.modules])"
@@ -117,6 +147,7 @@ def test_importing_does_not_import_heavy_packages(module: str) -> None:
     assert "[]" == done.stdout.strip()
 
 
+@pytest.mark.process
 def test_discovering_all_plugins_does_not_import_heavy_packages() -> None:
     code = (
         "import sys; from tutorstudent.core.files.registry import Registry; r = Registry.discover(); "
@@ -126,6 +157,7 @@ def test_discovering_all_plugins_does_not_import_heavy_packages() -> None:
     assert "[] []" == done.stdout.strip()
 
 
+@pytest.mark.process
 def test_the_engine_needs_neither_plugin_manager_nor_yaml() -> None:
     # The package's own __init__ re-exports everything, so the engine's module is loaded beside an empty one.
     code = (

@@ -55,6 +55,8 @@ def run_commands(text: str, capsys: pytest.CaptureFixture[str], monkeypatch: pyt
             assert 0 == (ended.value.code or 0), (line, capsys.readouterr().err)
 
 
+@pytest.mark.process
+@pytest.mark.study
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: str(page.relative_to(DOCS)))
 def test_the_code_of_every_page_runs(page, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
@@ -87,25 +89,31 @@ def all_commands(command, name=""):
         yield name, command
 
 
-@pytest.mark.parametrize(("name", "command"), list(all_commands(typer.main.get_command(app))))
-def test_every_command_and_each_of_its_parameters_is_documented(name, command):
-    page = "\n".join(reference.commands())
+@pytest.fixture(scope="module")
+def commands_page():
+    return "\n".join(reference.commands())
 
-    assert f"## `tutorstudent {name}`" in page
+
+@pytest.mark.parametrize(("name", "command"), list(all_commands(typer.main.get_command(app))))
+def test_every_command_and_each_of_its_parameters_is_documented(name, command, commands_page):
+    assert f"## `tutorstudent {name}`" in commands_page
     assert command.help
     for param in command.params:
         assert getattr(param, "help", None), f"{name}: {param.name} has no help"
 
 
-@pytest.mark.parametrize("cls", OWN, ids=lambda cls: f"{cls.role}-{cls.name}")
-def test_every_part_and_each_of_its_options_is_documented(cls):
-    page = "\n".join(reference.parts(Registry.discover()))
+@pytest.fixture(scope="module")
+def parts_page():
+    return "\n".join(reference.parts(Registry.discover()))
 
-    assert f"### {cls.role} `{cls.name}`" in page
+
+@pytest.mark.parametrize("cls", OWN, ids=lambda cls: f"{cls.role}-{cls.name}")
+def test_every_part_and_each_of_its_options_is_documented(cls, parts_page):
+    assert f"### {cls.role} `{cls.name}`" in parts_page
     assert inspect.getdoc(cls)
     for key, field in cls.Options.model_fields.items():
         assert field.description, f"{cls.role} {cls.name}: option {key} has no description"
-        assert f"`{key}" in page
+        assert f"`{key}" in parts_page
 
 
 def test_every_hook_is_documented():

@@ -19,6 +19,7 @@ def test_the_four_environments_of_the_thesis_are_shipped() -> None:
     assert ["cave-box", "cave-predator-prey", "cave-predator-prey-box", "chase-avoid"] == SCENES
 
 
+@pytest.mark.simulator
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("path", PIPELINES, ids=lambda path: path.stem)
 def test_every_example_runs(path: Path, scene: str) -> None:

@@ -22,6 +22,8 @@ from tutorstudent.plugins.process import ProcessTutor
 from tutorstudent.sims.gym import GymState
 from tutorstudent.sims.pioneer.types import PioneerState
 
+pytestmark = pytest.mark.process
+
 HERE = Path(__file__).parents[1] / "examples" / "process"
 COMPILER = shutil.which("cc")
 SHELL = shutil.which("sh")

@@ -57,7 +57,15 @@ HOW: dict[tuple[str, str], dict[str, Any]] = {
 }
 """What parts are tried with that are made for any state or action."""
 REGISTRY = Registry.discover()
-SHIPPED = [installed for installed in REGISTRY if installed.distribution.startswith("tutorstudent ")]
+SHIPPED = [
+    pytest.param(
+        installed,
+        id=f"{installed.cls.role}-{installed.cls.name}",
+        marks=[pytest.mark.process] if installed.cls.name == "process" else [],
+    )
+    for installed in REGISTRY
+    if installed.distribution.startswith("tutorstudent ")
+]
 
 
 def quickly(part: Any, **how: Any) -> Report:
@@ -79,7 +87,7 @@ def test_there_is_a_good_part_of_every_role() -> None:
     assert set(ROLES) == {cls.role for cls in GOOD}
 
 
-@pytest.mark.parametrize("installed", SHIPPED, ids=lambda item: f"{item.cls.role}-{item.cls.name}")
+@pytest.mark.parametrize("installed", SHIPPED)
 def test_every_shipped_part_passes(installed: Installed) -> None:
     role, name = installed.cls.role, installed.cls.name
     part = make(REGISTRY, role, {"use": name} | REQUIRED.get((role, name), {}))
@@ -93,6 +101,7 @@ def test_the_line_in_a_third_partys_tests(check: Any) -> None:
     check()
 
 
+@pytest.mark.process
 def test_another_process_is_asked_for_installed_parts_and_says_the_same() -> None:
     (check,) = [check for check in checks_of(Bits()) if check.name == IN_ANOTHER_PROCESS]
     check()

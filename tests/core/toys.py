@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar, Literal
 
+from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles import part as part_module
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.roles.leaves import condition
@@ -94,3 +96,8 @@ selector: same-kind
 amplifier: {use: learning-phase, decisions: 10}
 conditions: [crashed]
 """
+
+
+def toy_pipeline(text: str = PIPELINE, registry: Registry | None = None) -> Pipeline:
+    """Return the pipeline of a text, of the toys where no registry is given; its file is called ``p.yaml``."""
+    return Pipeline(parse_yaml(text, "p.yaml"), registry or toy_registry())

@@ -12,7 +12,6 @@ import pytest
 import tutorstudent as ts
 from tutorstudent.core.roles.binding import Binding, stream
 from tutorstudent.core.words.records import Lesson, Moment, Outcome
-from tutorstudent.plugins import backprop
 from tutorstudent.plugins.backprop import BackpropStudent, Network
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.streamlined import LevelAmpbit
@@ -331,7 +330,3 @@ def test_an_encoder_is_required() -> None:
     options: dict[str, Any] = {}
     with pytest.raises(ts.PipelineError, match=r"student 'backprop': option 'encoder' is required"):
         BackpropStudent(**options)
-
-
-def test_the_plugin_names_its_student() -> None:
-    assert [cls.name for cls in backprop.tutorstudent_components()] == ["backprop"]

@@ -6,11 +6,9 @@ from typing import Any
 
 import pytest
 
-from tests.core.toys import PIPELINE, toy_registry
+from tests.core.toys import PIPELINE, toy_pipeline
 from tutorstudent.core.deciding.judging import NO_MARGINS
-from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.rundir import run_pipeline
-from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 from tutorstudent.core.words.records import Decision, GradedAction, Moment, Outcome
 from tutorstudent.plugins.controls import Blind
@@ -62,13 +60,13 @@ def test_an_interval_that_is_none_is_refused(options: dict[str, Any], message: s
 def test_a_pipeline_says_where_an_empty_interval_stands() -> None:
     text = PIPELINE + "evaluator: {use: interval, begin: 20, end: 10}\n"
     with pytest.raises(TutorStudentError, match=r"p.yaml:\d+:1: evaluator: .*must be more than begin \(20\)"):
-        Pipeline(parse_yaml(text, "p.yaml"), toy_registry()).engine()
+        toy_pipeline(text).engine()
 
 
 def test_a_run_is_taught_in_the_interval_and_its_violations_are_counted_throughout() -> None:
     text = PIPELINE + "evaluator: {use: interval, begin: 20, end: 30}\n"
-    whole = run_pipeline(Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry()))
-    part = run_pipeline(Pipeline(parse_yaml(text, "p.yaml"), toy_registry()))
+    whole = run_pipeline(toy_pipeline())
+    part = run_pipeline(toy_pipeline(text))
     assert whole.summary["decisions"] == whole.summary["taught"]
     assert 10 == part.summary["taught"]
     taught = part.decisions["taught_level"] >= 0

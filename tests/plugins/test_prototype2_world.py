@@ -13,6 +13,7 @@ from tutorstudent.plugins.prototype2 import Prototype2
 from tutorstudent.sims.pioneer.types import DriveAction
 
 pytest.importorskip("pybullet")
+pytestmark = pytest.mark.simulator
 
 METRES_PER_DECISION = 0.12 * 0.9 * 0.2
 

@@ -103,6 +103,7 @@ def test_wrong_parameters_are_named(params: dict[str, Any], message: str) -> Non
         BackpropRegressor(**params).fit(*curve())
 
 
+@pytest.mark.process
 def test_the_student_s_plugin_does_not_import_scikit_learn() -> None:
     code = """
 import sys

@@ -14,10 +14,10 @@ import pytest
 from sklearn.base import BaseEstimator, RegressorMixin
 
 import tutorstudent as ts
+from tests.plugins.pair import Pair, State, moment
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.running.arrays import flat, nested
-from tutorstudent.core.words.records import Lesson, Moment, Outcome
-from tutorstudent.plugins import sklearn_student
+from tutorstudent.core.words.records import Lesson, Outcome
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.estimator_state import export_state, fill_state
 from tutorstudent.plugins.sklearn_student import SklearnStudent
@@ -29,21 +29,7 @@ SGD = "sklearn.linear_model.SGDRegressor"
 BACKPROP = "tutorstudent.plugins.backprop.regressor.BackpropRegressor"
 SMALL: dict[str, dict[str, Any]] = {MLP: {"hidden_layer_sizes": (6,)}, SGD: {"average": True}, BACKPROP: {"hidden": 5}}
 
-State = tuple[float, ...]
 AnyStudent = SklearnStudent[State, DriveAction, Any]
-
-
-class Pair(ts.Encoder[State, DriveAction]):
-    """The two numbers of the state."""
-
-    name = "pair"
-
-    @property
-    def width(self) -> int:
-        return 2
-
-    def encode(self, moment: Moment[State, DriveAction]) -> np.ndarray:
-        return np.array(moment.state, dtype=float)
 
 
 class Stubborn(RegressorMixin, BaseEstimator):  # type: ignore[misc]  # scikit-learn has no types
@@ -72,10 +58,6 @@ def student_of(
     student: AnyStudent = SklearnStudent(encoder=Pair(), codec=codec or LevelAmpbit(), estimator=estimator, **options)
     student.bind(Binding(seed=seed, slot="student", action=DriveAction))
     return student
-
-
-def moment(state: State, number: int = 0) -> Moment[State, DriveAction]:
-    return Moment(number, state, DriveAction(kind="forward"), "")
 
 
 def lesson(state: State, level: int, ampbit: bool = True, number: int = 0) -> Lesson[State, DriveAction]:
@@ -304,10 +286,7 @@ def test_without_scikit_learn_the_remedy_is_named(monkeypatch: pytest.MonkeyPatc
         student_of()
 
 
+@pytest.mark.process
 def test_the_plugin_is_importable_without_scikit_learn() -> None:
     code = "import sys; sys.modules['sklearn'] = None; import tutorstudent.plugins.sklearn_student"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
-
-
-def test_the_plugin_names_its_student() -> None:
-    assert [cls.name for cls in sklearn_student.tutorstudent_components()] == ["sklearn"]

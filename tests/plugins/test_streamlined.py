@@ -10,7 +10,6 @@ import pytest
 
 import tutorstudent as ts
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.plugins import streamlined
 from tutorstudent.plugins.streamlined import LevelAmpbit, Modifier
 from tutorstudent.sims.pioneer.types import DriveAction
 
@@ -69,7 +68,3 @@ def test_the_modifier_gives_the_tutor_action_the_student_level_whatever_the_kind
 
 def test_codec_and_modifier_speak_of_the_same_proposal_type() -> None:
     assert LevelAmpbit.proposal is Modifier.proposal is ts.LevelProposal
-
-
-def test_the_plugin_names_its_components() -> None:
-    assert [cls.name for cls in streamlined.tutorstudent_components()] == ["level-ampbit", "modifier"]

@@ -9,29 +9,15 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
+from tests.plugins.pair import Pair, State, moment
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.words.records import Lesson, Moment, Outcome
-from tutorstudent.plugins import table
+from tutorstudent.core.words.records import Lesson, Outcome
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.streamlined import LevelAmpbit
 from tutorstudent.plugins.table import TableStudent
 from tutorstudent.sims.pioneer.types import DriveAction
 
-State = tuple[float, ...]
 AnyStudent = TableStudent[State, DriveAction, Any]
-
-
-class Pair(ts.Encoder[State, DriveAction]):
-    """The two numbers of the state."""
-
-    name = "pair"
-
-    @property
-    def width(self) -> int:
-        return 2
-
-    def encode(self, moment: Moment[State, DriveAction]) -> np.ndarray:
-        return np.array(moment.state, dtype=float)
 
 
 class OddCodec(KindLevelAmpbit):
@@ -59,10 +45,6 @@ def student_of(codec: ts.Codec[Any] | None = None) -> AnyStudent:
     student: AnyStudent = TableStudent(encoder=Pair(), codec=codec or KindLevelAmpbit())
     student.bind(Binding(seed=7, slot="student", action=DriveAction))
     return student
-
-
-def moment(state: State, number: int = 0) -> Moment[State, DriveAction]:
-    return Moment(number, state, DriveAction(kind="forward"), "")
 
 
 def lesson(state: State, kind: str, level: int, ampbit: bool, number: int = 0) -> Lesson[State, DriveAction]:
@@ -158,7 +140,3 @@ def test_a_hostile_state_is_refused_as_a_whole(state: dict[str, Any], message: s
 def test_a_codec_of_an_unknown_proposal_type_is_refused() -> None:
     with pytest.raises(ts.PipelineError, match=r"codec 'odd' proposes dict; this student can say KindProposal, Level"):
         student_of(OddCodec())
-
-
-def test_the_plugin_names_its_student() -> None:
-    assert [cls.name for cls in table.tutorstudent_components()] == ["table"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import pytest
 from joblib.externals.loky import get_reusable_executor
 
+from tests.distributions import install
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.study import Plan, Request, make_plan, read_pipelines
 
@@ -56,11 +56,8 @@ def corridor_distribution(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of installed distributions: the corridor's and the plant's."""
     place = tmp_path_factory.mktemp("site")
     for name in ("corridor", "plant"):
-        shutil.copy(Path(__file__).with_name(f"{name}.py"), place / f"{name}_plugin.py")
-        information = place / f"{name}_plugin-0.1.dist-info"
-        information.mkdir()
-        (information / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-plugin\nVersion: 0.1\n")
-        (information / "entry_points.txt").write_text(f"[tutorstudent]\n{name} = {name}_plugin\n")
+        source = Path(__file__).with_name(f"{name}.py").read_text(encoding="utf-8")
+        install(place, f"{name}-plugin", source, version="0.1", point=name)
     return place
 
 

@@ -20,6 +20,7 @@ def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
         study.write_reprot  # noqa: B018 - the access is what is tested
 
 
+@pytest.mark.process
 def test_importing_the_study_imports_no_extra() -> None:
     extras = "('matplotlib', 'joblib', 'scipy', 'pybullet', 'sklearn', 'distributed')"
     program = (

@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.process
+
 ROOT = Path(__file__).parents[2]
 TUTORIAL = ROOT / "docs" / "guide" / "tutorial.md"
 NAME = "acme-walls"

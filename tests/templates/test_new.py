@@ -22,6 +22,7 @@ from tutorstudent.templates.naming import names_of
 from tutorstudent.templates.writing import contents, write_plugin
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("role", ROLES)
 def test_the_example_of_every_role_passes_its_checks_and_runs(
     role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -74,6 +75,7 @@ def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:
     assert "  tutorstudent compare pipeline.yaml " in result.stdout
 
 
+@pytest.mark.process
 def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) -> None:
     write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path)
     program = (

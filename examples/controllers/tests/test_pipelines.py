@@ -28,6 +28,7 @@ def test_every_pipeline_runs_without_an_incident(path: Path) -> None:
         assert 39 == engine.last.decision.moment.number
 
 
+@pytest.mark.study
 def test_the_table_of_a_study_shows_every_variant_beside_the_tutor(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -201,8 +200,10 @@ def test_only_rounds_before_the_freezing_are_candidates():
 
 def test_a_walk_goes_only_where_prototype_2_agrees(tmp_path, monkeypatch):
     monkeypatch.setattr(walks, "run_under", fake_run)
-    here = start(0)
-    for (look,) in walk_on(tmp_path, 1, 20, 1):
+    here, looks = start(0), [look for (look,) in walk_on(tmp_path, 1, 20, 1)]
+    assert 20 == len(looks)
+    assert {True, False} == {look.agrees for look in looks}
+    for look in looks:
         assert neighbour(here, look.round).choices == look.choices
         here = look if look.agrees else here
 
@@ -265,9 +266,8 @@ def test_predictions_of_earlier_days_are_not_run_again(tmp_path, monkeypatch):
 )
 def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(monkeypatch, doubted, run):
     def run_under(setting, scene, seed, pipeline, observers=()):
-        for observer in observers:
-            for number in range(10_000):
-                observer.observe(turn_with(number, ampbit=number not in doubted), None)
+        if observers:
+            ts.run(doubting(doubted), Nowhere(), max(PHASES) + 1, observers=observers)
         return FREE._replace(attractors=float(pipeline.partition("-")[2] or 2500))
 
     monkeypatch.setattr(predictive, "run_under", run_under)
@@ -279,9 +279,43 @@ def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(
     }
 
 
-def turn_with(number: int, ampbit: bool) -> SimpleNamespace:
-    decision = SimpleNamespace(moment=SimpleNamespace(number=number), selected=SimpleNamespace(ampbit=ampbit))
-    return SimpleNamespace(decision=decision)
+class Nowhere(ts.World):
+    """Nothing ever happens."""
+
+    name = "nowhere"
+    action = ts.scalar(0.0, 1.0)
+
+    @property
+    def event_names(self):
+        return {}
+
+    def reset(self, seed):
+        return 0.0
+
+    def step(self, action):
+        return ts.Step(0.0, {})
+
+
+class Doubting(ts.Student):
+    """Sure of everything but some decisions."""
+
+    name = "doubting"
+    proposal = ts.LevelProposal
+
+    def __init__(self, doubted):
+        super().__init__()
+        self.doubted = doubted
+
+    def propose(self, moment):
+        return ts.LevelProposal(level=0, ampbit=moment.number not in self.doubted)
+
+    def teach(self, lesson):
+        pass
+
+
+def doubting(doubted):
+    loop = ts.wrap(lambda state: 0.5, action=Nowhere.action, student=Doubting(doubted), selector="modifier")
+    return loop.engine
 
 
 class Executed(ts.Observer):
@@ -295,6 +329,7 @@ class Executed(ts.Observer):
         self.actions.append(repr(turn.decision.executed))
 
 
+@pytest.mark.simulator
 def test_where_no_ampbit_was_overruled_a_longer_learning_phase_is_the_same_run():
     doubts = Doubts(500)
     short = executed_with(500, doubts)

@@ -44,6 +44,7 @@ def test_reproduce_leaves_the_studys_own_report_beside_its_tables(command: Any, 
     assert (tmp_path / "reproduce" / "reproduction.md").exists()
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("plain_report")
 def test_reproduce_prints_its_tables_and_writes_them(command: Any, tmp_path: Path) -> None:
     result = command("reproduce", "--scenes", "cave-box")
@@ -57,6 +58,7 @@ def test_reproduce_prints_its_tables_and_writes_them(command: Any, tmp_path: Pat
         assert 4 * 3 == len(list(csv.DictReader(file)))
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("plain_report")
 def test_heldout(command: Any, tmp_path: Path) -> None:
     assert "cave-12m: with controls" in command("heldout").stdout
@@ -64,6 +66,7 @@ def test_heldout(command: Any, tmp_path: Path) -> None:
     assert [True] * 4 == [f"| {name} |" in page for name in ("prototype2", "prototype2a", "streamlined", "ramp")]
 
 
+@pytest.mark.study
 @pytest.mark.usefixtures("plain_report")
 def test_intervals_go_on_where_they_stood(command: Any, tmp_path: Path) -> None:
     result = command("intervals")
@@ -83,6 +86,7 @@ def _times(folder: Path) -> dict[Path, int]:
     return {path: path.stat().st_mtime_ns for path in sorted((folder / "runs").rglob("run.json"))}
 
 
+@pytest.mark.study
 def test_transplant(command: Any, tmp_path: Path) -> None:
     result = command("transplant")
     assert "cave-box -> cave-predator-prey-box" in result.stdout

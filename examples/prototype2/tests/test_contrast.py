@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
-from tutorstudent.study import Run
+from tutorstudent.study import Environment, Plan, Run, Study, Variant
 from tutorstudent_prototype2.contrast import HEADER, contrasts
 
 
@@ -18,27 +17,22 @@ def run(variant: str, seed: int, attractors: float, collided: float, way_m: floa
 
 
 @pytest.fixture
-def study() -> SimpleNamespace:
-    runs = [
+def study() -> Study:
+    runs = (
         run("prototype2a", 0, 50.0, 4.0, 800.0),
         run("prototype2a", 1, 60.0, 0.0, 400.0),
         run("blind", 0, 48.0, 2.0, 200.0),
         run("blind", 1, 54.0, 0.0, 0.0),
-    ]
-    variants = [
-        SimpleNamespace(name="prototype2a", control=False, about=""),
-        SimpleNamespace(name="blind", control=True, about="Never told. More."),
-        SimpleNamespace(name="ramp", control=True, about="No learning."),
-    ]
-    environment = SimpleNamespace(name="cave-box", variants=variants)
-    return SimpleNamespace(
-        plan=SimpleNamespace(environments=[environment]),
-        runs=runs,
-        of=lambda scene, name: [run for run in runs if (run.environment, run.variant) == (scene, name)],
     )
+    variants = (
+        Variant("prototype2a", "", False, {}, {}),
+        Variant("blind", "Never told. More.", True, {}, {}),
+        Variant("ramp", "No learning.", True, {}, {}),
+    )
+    return Study(Path("nowhere"), Plan((Environment("cave-box", variants, ""),), (0, 1), 100), runs, ())
 
 
-def test_every_variant_stands_beside_the_learner_with_its_harm_by_way_and_its_speed(study: SimpleNamespace) -> None:
+def test_every_variant_stands_beside_the_learner_with_its_harm_by_way_and_its_speed(study: Study) -> None:
     (section,) = contrasts(study)
     learner, blind, ramp = (dict(zip(HEADER, row, strict=True)) for row in section.sheet.rows)
 
@@ -49,13 +43,13 @@ def test_every_variant_stands_beside_the_learner_with_its_harm_by_way_and_its_sp
     assert {"-"} == set(list(ramp.values())[1:])
 
 
-def test_a_run_without_any_way_makes_a_rate_that_is_none(study: SimpleNamespace) -> None:
+def test_a_run_without_any_way_makes_a_rate_that_is_none(study: Study) -> None:
     (section,) = contrasts(study)
 
     assert "-" == dict(zip(HEADER, section.sheet.rows[1], strict=True))["per 100 m"]
 
 
-def test_controls_and_simulated_time_are_named(study: SimpleNamespace) -> None:
+def test_controls_and_simulated_time_are_named(study: Study) -> None:
     (section,) = contrasts(study)
 
     assert "Controls: blind (Never told); ramp (No learning)." == section.reading[0]

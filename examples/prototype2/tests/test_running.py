@@ -46,6 +46,7 @@ def test_scenes_are_the_thesiss() -> None:
         known_scenes(" , ")
 
 
+@pytest.mark.study
 def test_what_was_run_is_not_run_again(tmp_path: Path) -> None:
     jobs = [job(0), job(1)]
     finish(jobs[:1], tmp_path / "one", 1, "first")
@@ -58,6 +59,7 @@ def test_what_was_run_is_not_run_again(tmp_path: Path) -> None:
     assert before == (tmp_path / "two" / jobs[0].folder / "run.json").stat().st_mtime_ns
 
 
+@pytest.mark.study
 def test_a_folder_with_other_jobs_is_refused(tmp_path: Path) -> None:
     finish([job(0)], tmp_path, 1, "first")
     with pytest.raises(ts.PipelineError, match="holds a study with other pipelines, settings or numbers; go on with"):
@@ -70,6 +72,7 @@ def test_a_folder_that_cannot_be_used_is_told(tmp_path: Path) -> None:
         finish([job(0)], tmp_path / "file" / "x", 1, "first")
 
 
+@pytest.mark.study
 def test_a_run_that_fails_is_told_and_run_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     missing = tmp_path / "later" / "learned.npz"
     jobs = [

@@ -8,6 +8,8 @@ import sys
 import zipfile
 from pathlib import Path
 
+import pytest
+
 import tutorstudent as ts
 import tutorstudent.study
 from tutorstudent.sims.pioneer import types
@@ -21,6 +23,7 @@ PUBLIC = {
 }
 
 
+@pytest.mark.process
 def test_the_wheel_holds_every_pipeline_scene_setting_and_number(tmp_path: Path) -> None:
     build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
     subprocess.run(build, cwd=EXAMPLE, check=True, capture_output=True)

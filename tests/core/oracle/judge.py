@@ -1,4 +1,4 @@
-"""Judges one decision by the behaviour contract. Shares no code with the engine (DESIGN section 4)."""
+"""Judges one decision by the behaviour contract. Shares no code with the engine."""
 
 from __future__ import annotations
 

@@ -27,6 +27,8 @@ from tests.plugins.process.programs import (
 )
 from tutorstudent.plugins.process import ProcessTutor
 
+pytestmark = pytest.mark.process
+
 GENEROUS_S = 15.0
 """Far more than any deadline here; a loop that hangs would never come back at all."""
 

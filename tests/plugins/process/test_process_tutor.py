@@ -41,12 +41,14 @@ def told(path: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
 
 
+@pytest.mark.process
 def test_it_is_asked_once_for_every_decision_in_order() -> None:
     part = tutor(answering(), deadline_s=20.0)
     assert [0.1, 0.2, -0.3] == [part.act(state).value for state in (10, 20.0, -30)]
     part.close()
 
 
+@pytest.mark.process
 def test_it_is_told_what_was_executed_and_when_a_trial_begins_and_when_all_is_over(tmp_path: Path) -> None:
     log = tmp_path / "log"
     part = tutor(logging_program(log), deadline_s=20.0, close_timeout_s=20.0)
@@ -66,6 +68,7 @@ def test_it_is_told_what_was_executed_and_when_a_trial_begins_and_when_all_is_ov
     ] == rest
 
 
+@pytest.mark.process
 def test_the_first_message_states_the_vocabulary_and_a_seed(tmp_path: Path) -> None:
     log = tmp_path / "log"
     for _ in range(2):
@@ -81,6 +84,7 @@ def test_the_first_message_states_the_vocabulary_and_a_seed(tmp_path: Path) -> N
     } == hello["action"]
 
 
+@pytest.mark.process
 def test_the_situation_is_the_programs(tmp_path: Path) -> None:
     part = tutor(logging_program(tmp_path / "log"), deadline_s=20.0)
     assert "" == part.situation
@@ -89,6 +93,7 @@ def test_the_situation_is_the_programs(tmp_path: Path) -> None:
     part.close()
 
 
+@pytest.mark.process
 def test_an_engine_amplifies_what_it_says_and_tells_it(tmp_path: Path) -> None:
     log = tmp_path / "log"
     part = ProcessTutor(program=logging_program(log), action=UNIT, deadline_s=20.0, close_timeout_s=20.0)
@@ -100,6 +105,7 @@ def test_an_engine_amplifies_what_it_says_and_tells_it(tmp_path: Path) -> None:
     assert [0.55, 0.6] == pytest.approx(heard)
 
 
+@pytest.mark.process
 def test_environment_folder_and_arguments_reach_the_program_as_they_are(tmp_path: Path) -> None:
     body = "answer(number, 0.5, situation=' '.join([os.environ['GAIN'], os.getcwd(), *sys.argv[1:]]))"
     part = tutor([*answering(body), "$HOME; rm -rf *", "a  b"], env={"GAIN": "2"}, cwd=str(tmp_path), deadline_s=20.0)
@@ -108,6 +114,7 @@ def test_environment_folder_and_arguments_reach_the_program_as_they_are(tmp_path
     part.close()
 
 
+@pytest.mark.process
 def test_a_world_lends_its_action_class_and_is_not_set_up() -> None:
     data = {
         "tutor": {
@@ -206,6 +213,7 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
 
 
+@pytest.mark.process
 def test_the_pages_smallest_program_keeps_the_protocol() -> None:
     part = tutor(python(blocks("python")[0]), deadline_s=20.0)
     assert [0.5, -0.25] == pytest.approx([part.act(state).value for state in (10.0, 85.0)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import subprocess
 import sys
 from importlib import import_module
@@ -12,11 +13,15 @@ import pytest
 from annotated_types import Ge, Gt, Le, Lt
 from pydantic import ValidationError
 
+from tests.core.oracle.scripted import engine, level
+from tests.core.oracle.scripted import forward as script
 from tests.sims.pioneer.scenes import STOP, forward, robot, scene
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.roles.world import World
+from tutorstudent.core.running.meter import WorldEvents
+from tutorstudent.core.running.observers import Observer
+from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import ContractError, PipelineError
-from tutorstudent.sims.pioneer import bullet, tutorstudent_components
+from tutorstudent.sims.pioneer import bullet
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.calls import CallLog, bound
 from tutorstudent.sims.pioneer.layout import load_layout
@@ -57,6 +62,7 @@ def test_the_same_seed_is_the_same_trial_whatever_came_before(make_world, drive)
     assert trace(first, 8, decisions) != alone
 
 
+@pytest.mark.process
 def test_the_same_seed_is_the_same_trial_in_another_process(make_world):
     program = (
         "from tests.sims.pioneer.test_world import trace\n"
@@ -108,21 +114,30 @@ def test_events_are_plain_floats_by_the_declared_names(make_world):
         assert (step.done, step.truncated) == (False, False)
 
 
-def test_the_events_say_how_a_run_summarizes_them(make_world):
-    assert dict(make_world("chase-avoid").event_names) == {
-        "stalled_ticks": "sum",
-        "collided": "sum",
-        "longest_stall": "max",
-        "contacts": "sum",
-        "contact_speed_mps": "max",
-        "hit_by_others": "sum",
-        "encounters": "sum",
-        "distance_m": "sum",
-        "time_s": "sum",
-        "x_m": "last",
-        "y_m": "last",
-        "heading_rad": "last",
-    }
+class Steps(Observer):
+    """Keeps what the world said."""
+
+    name = "steps"
+
+    def __init__(self):
+        super().__init__()
+        self.events = []
+
+    def observe(self, turn, step):
+        self.events.append(step.events)
+
+
+def test_a_run_adds_up_what_happened_and_keeps_the_most_and_the_last(make_world):
+    steps, summed = Steps(), WorldEvents()
+    run(engine(script(0.6), level(0)), make_world("chase-avoid"), 150, seed=3, observers=[steps, summed])
+    happened = {name: [events[name] for events in steps.events] for name in steps.events[0]}
+    rows = [len(list(row)) for collided, row in itertools.groupby(happened["collided"]) if collided]
+    assert max(rows) > 1
+    totals = {"stalled_ticks", "collided", "contacts", "hit_by_others", "encounters", "distance_m", "time_s"}
+    expected = {name: pytest.approx(sum(happened[name])) for name in totals}
+    expected |= {name: happened[name][-1] for name in ("x_m", "y_m", "heading_rad")}
+    expected |= {"longest_stall": max(rows), "contact_speed_mps": max(happened["contact_speed_mps"])}
+    assert expected == summed.summary()
 
 
 def test_jitter_moves_the_starts_with_the_seed_and_no_farther_than_it_says(make_world):
@@ -198,6 +213,7 @@ def test_without_pybullet_the_remedy_is_told(make_world, monkeypatch):
     assert str(caught.value) == ("world 'pioneer' needs pybullet; install it with: pip install 'tutorstudent[bullet]'")
 
 
+@pytest.mark.process
 def test_without_pybullet_the_package_can_still_be_listed():
     program = (
         "import sys; sys.modules['pybullet'] = None\n"
@@ -238,11 +254,6 @@ def test_a_relative_scene_is_described_so_that_it_is_found_from_elsewhere(
     assert (described.pop("use"), described["sonar_noise"]) == ("pioneer", 0.0)
     assert PioneerWorld(**described).describe()["scene"] == str(path)
     assert load_layout(described["scene"]).learner == 0
-
-
-def test_the_hook_names_the_world():
-    assert tutorstudent_components() == [PioneerWorld]
-    assert issubclass(PioneerWorld, World)
 
 
 def every_option(model):
@@ -310,7 +321,8 @@ def test_the_logged_calls_can_be_made_again_without_the_world(make_world):
     world.connect(client)
     world.reset(7)
     log.clear()
-    states = [world.step(forward(0.3)).state for _ in range(10)]
+    for _ in range(10):
+        world.step(forward(0.3))
     calls = list(log.calls)
     assert {call.function for call in calls} == {
         "rayTestBatch",
@@ -321,12 +333,13 @@ def test_the_logged_calls_can_be_made_again_without_the_world(make_world):
     other = Bullet(load_pybullet())
     same.connect(other)
     same.reset(7)
-    answers = [call() for call in bound(calls, load_pybullet(), other.client)]
-    casts = [answer for call, answer in zip(calls, answers, strict=True) if call.function == "rayTestBatch"]
-    hits = np.array([hit[2] for hit in casts[-1]])
-    assert len(answers) == len(calls)
-    assert len(states) == 10
-    assert np.isfinite(hits).all()
+    replays = []
+    for _ in range(2):
+        answers = [call() for call in bound(calls, load_pybullet(), other.client)]
+        casts = [answer for call, answer in zip(calls, answers, strict=True) if call.function == "rayTestBatch"]
+        replays.append([hit[2] for cast in casts[len(casts) // 2 :] for hit in cast])
+    assert min(replays[0]) < 1.0
+    assert replays[0] == replays[1]
 
 
 def test_only_one_file_imports_pybullet():
