@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from tutorstudent_prototype2.calibration.command import CANDIDATES, LOOKS, PREDICTIONS
-from tutorstudent_prototype2.calibration.summary import described
+from tutorstudent_prototype2.calibration.summary import describe
 
 DOCS = Path(__file__).parent
 PACKAGE = DOCS.parent / "tutorstudent"
@@ -68,7 +68,7 @@ def _summary(path: Path) -> str:
 
 @functools.cache
 def _shown() -> str:
-    return "\n".join(described(LOOKS, CANDIDATES, PREDICTIONS))
+    return "\n".join(describe(LOOKS, CANDIDATES, PREDICTIONS))
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import load_arrays
-from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, draw_way, level_colours
+from tutorstudent.study.pictures.maps import COLOURED_LEVELS, draw_way, make_level_colours
 from tutorstudent.study.runs.sketches import load_sketch
 
 ENVIRONMENT = "cave-box"
@@ -34,7 +34,7 @@ def draw(study: Path, target: Path) -> None:
     for axis, (variant, title) in zip(axes, PANELS.items(), strict=True):
         draw_variant(axis, sketch, study / "runs" / ENVIRONMENT / variant)
         axis.set_title(title, fontsize=12)
-    colours = ScalarMappable(Normalize(0, HIGHEST_LEVEL), level_colours())
+    colours = ScalarMappable(Normalize(0, COLOURED_LEVELS), make_level_colours())
     figure.colorbar(colours, ax=axes, label="amplification level", shrink=0.85, pad=0.01)
     figure.savefig(target, dpi=100, metadata={"Software": None})
 

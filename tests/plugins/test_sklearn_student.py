@@ -16,7 +16,7 @@ from sklearn.base import BaseEstimator, RegressorMixin
 import tutorstudent as ts
 from tests.plugins.pair import Pair, State, moment
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.running.arrays import flat, nested
+from tutorstudent.core.running.arrays import flatten, nest
 from tutorstudent.core.words.records import Lesson, Outcome
 from tutorstudent.plugins.codecs import KindLevelAmpbit
 from tutorstudent.plugins.estimator_state import export_state, fill_state
@@ -74,14 +74,14 @@ def taught(student: AnyStudent, lessons: int = 12, first: int = 0) -> AnyStudent
 def saved(student: AnyStudent) -> dict[str, Any]:
     """What was learned, as it would come back from a file."""
     stored = io.BytesIO()
-    np.savez(stored, allow_pickle=False, **flat(student.state_dict()))
+    np.savez(stored, allow_pickle=False, **flatten(student.state_dict()))
     stored.seek(0)
     with np.load(stored, allow_pickle=False) as arrays:
-        return nested(dict(arrays.items()))
+        return nest(dict(arrays.items()))
 
 
 def numbers(student: AnyStudent) -> dict[str, bytes]:
-    return {name: array.tobytes() for name, array in flat(student.state_dict()).items()}
+    return {name: array.tobytes() for name, array in flatten(student.state_dict()).items()}
 
 
 @pytest.mark.parametrize("estimator", [MLP, SGD, BACKPROP])
@@ -155,15 +155,15 @@ def test_a_student_that_was_taught_nothing_has_nothing_to_save_and_can_be_emptie
 def test_a_state_dict_is_a_copy() -> None:
     student = taught(student_of(MLP))
     before = numbers(student)
-    for array in flat(student.state_dict()).values():
+    for array in flatten(student.state_dict()).values():
         array.fill(0) if array.ndim and array.dtype.kind == "f" else None
     assert before == numbers(student)
 
 
 def changed(path: str, value: Any, estimator: str = MLP) -> dict[str, Any]:
-    arrays: dict[str, Any] = flat(taught(student_of(estimator)).state_dict())
+    arrays: dict[str, Any] = flatten(taught(student_of(estimator)).state_dict())
     arrays[path] = np.asarray(value)
-    return nested(arrays)
+    return nest(arrays)
 
 
 @pytest.mark.parametrize(

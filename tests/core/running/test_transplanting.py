@@ -13,7 +13,7 @@ from tests.core.toys import PIPELINE, toy_pipeline
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.rundir import Finished, run_pipeline, write_run
 from tutorstudent.core.roles.part import Learned
-from tutorstudent.core.running.arrays import flat, load_arrays, save_arrays
+from tutorstudent.core.running.arrays import flatten, load_arrays, save_arrays
 from tutorstudent.core.running.transplanting import transplant
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.plugins.controls import Silent
@@ -58,10 +58,10 @@ def test_the_learning_phase_starts_anew(learned: Path) -> None:
 
 def test_nothing_but_the_student_is_taken_over(learned: Path) -> None:
     begun = pipeline().replaced({"learned": str(learned)})
-    expected = {path: array.tolist() for path, array in flat(begun.engine().state_dict()).items()}
+    expected = {path: array.tolist() for path, array in flatten(begun.engine().state_dict()).items()}
     more = {"tutor/secret": np.array(3), "evaluator": np.array(4), "decisions": np.array(5)}
     save_arrays(learned, load_arrays(learned) | more)
-    assert expected == {path: array.tolist() for path, array in flat(begun.engine().state_dict()).items()}
+    assert expected == {path: array.tolist() for path, array in flatten(begun.engine().state_dict()).items()}
 
 
 def test_it_decides_otherwise_than_one_that_begins_with_nothing(learned: Path) -> None:

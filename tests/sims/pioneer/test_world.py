@@ -23,7 +23,7 @@ from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.sims.pioneer import bullet
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
-from tutorstudent.sims.pioneer.calls import CallLog, bound
+from tutorstudent.sims.pioneer.calls import CallLog, bind_calls
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.scene_files import SCENES
@@ -335,7 +335,7 @@ def test_the_logged_calls_can_be_made_again_without_the_world(make_world):
     same.reset(7)
     replays = []
     for _ in range(2):
-        answers = [call() for call in bound(calls, load_pybullet(), other.client)]
+        answers = [call() for call in bind_calls(calls, load_pybullet(), other.client)]
         casts = [answer for call, answer in zip(calls, answers, strict=True) if call.function == "rayTestBatch"]
         replays.append([hit[2] for cast in casts[len(casts) // 2 :] for hit in cast])
     assert min(replays[0]) < 1.0

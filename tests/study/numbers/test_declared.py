@@ -18,7 +18,7 @@ from tests.study.made import made
 from tutorstudent.command.program import app
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.study import Job, read_runs
-from tutorstudent.study.numbers.declared import harm_in, measures_in
+from tutorstudent.study.numbers.declared import choose_harm, find_measures
 from tutorstudent.study.page.report import write_report
 from tutorstudent.study.runs.results import Study
 
@@ -152,20 +152,20 @@ def measured(measures: tuple[ts.Measure, ...], **numbers: float) -> Study:
 
 
 def names_of(study: Study) -> list[str]:
-    return [measure.name for measure in measures_in(study.plan.environments[0], study.runs)]
+    return [measure.name for measure in find_measures(study.plan.environments[0], study.runs)]
 
 
 def test_the_goal_stands_first_then_harm_then_what_is_no_detail() -> None:
     declared = (ts.Measure("a", detail=True), ts.Measure("b"), ts.Measure("collided"), ts.Measure("c"))
     study = measured(declared, a=1.0, b=1.0, collided=1.0, c=1.0, attractors=1.0)
     assert ["attractors", "collided", "b", "c", "a"] == names_of(study)
-    assert "more" == measures_in(study.plan.environments[0], study.runs)[0].better
+    assert "more" == find_measures(study.plan.environments[0], study.runs)[0].better
 
 
 def test_what_no_run_has_is_no_measure_and_what_nobody_declared_is_a_neutral_one() -> None:
     study = measured((ts.Measure("never"),), horses=2.0)
     assert ["horses"] == names_of(study)
-    assert measures_in(study.plan.environments[0], study.runs)[0].better is None
+    assert find_measures(study.plan.environments[0], study.runs)[0].better is None
 
 
 def test_what_others_are_made_from_and_what_only_some_runs_have_is_no_measure() -> None:
@@ -176,6 +176,6 @@ def test_what_others_are_made_from_and_what_only_some_runs_have_is_no_measure() 
 
 
 def test_harm_is_collisions_and_violations_where_the_world_knows_none() -> None:
-    assert "collided" == harm_in([ts.Measure("violated"), ts.Measure("collided")]).name
-    assert "violated" == harm_in([ts.Measure("violated")]).name
-    assert "violated" == harm_in([]).name
+    assert "collided" == choose_harm([ts.Measure("violated"), ts.Measure("collided")]).name
+    assert "violated" == choose_harm([ts.Measure("violated")]).name
+    assert "violated" == choose_harm([]).name

@@ -32,16 +32,16 @@ def test_shares_are_told_in_percent() -> None:
 
 def test_a_run_without_way_has_no_rate_and_the_others_have() -> None:
     runs = [run(0, hits=2.0, distance_m=0.0), run(1, hits=2.0, distance_m=50.0), run(2, hits=2.0)]
-    assert {1: 4.0} == Quantity(HITS, WAY).by_seed(runs)
+    assert {1: 4.0} == Quantity(HITS, WAY).read_by_seed(runs)
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
 def test_what_is_no_number_is_left_out(value: float) -> None:
-    assert {1: 3.0} == Quantity(HITS).by_seed([run(0, hits=value), run(1, hits=3.0)])
+    assert {1: 3.0} == Quantity(HITS).read_by_seed([run(0, hits=value), run(1, hits=3.0)])
     assert Quantity(HITS, WAY).of({"hits": 1.0, "distance_m": value}) is None
 
 
 def test_a_rate_is_known_where_both_its_parts_are() -> None:
-    assert Quantity(HITS, WAY).known([run(hits=1.0, distance_m=0.0)])
-    assert not Quantity(HITS, WAY).known([run(hits=1.0), run(distance_m=1.0)])
-    assert not Quantity(HITS).known([])
+    assert Quantity(HITS, WAY).is_known([run(hits=1.0, distance_m=0.0)])
+    assert not Quantity(HITS, WAY).is_known([run(hits=1.0), run(distance_m=1.0)])
+    assert not Quantity(HITS).is_known([])

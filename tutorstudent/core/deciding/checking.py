@@ -8,9 +8,9 @@ from typing import Any
 from pydantic import ValidationError
 
 from tutorstudent.core.deciding.guard import Breach
-from tutorstudent.core.words.actions import Action, ActionT, rebuilt
+from tutorstudent.core.words.actions import Action, ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import exact_bit, exact_level
+from tutorstudent.core.words.proposals import require_bit, require_level
 from tutorstudent.core.words.records import GradedAction
 from tutorstudent.core.words.turn import Seal, Turn
 
@@ -18,7 +18,7 @@ from tutorstudent.core.words.turn import Seal, Turn
 def copy_checked(action: ActionT, what: str) -> ActionT:
     """Return a validated copy of an action that somebody handed in; raises ContractError if it is not sound."""
     try:
-        return rebuilt(action)
+        return rebuild(action)
     except (ValidationError, KeyError) as error:
         problem = error.errors(include_url=False)[0]["msg"] if isinstance(error, ValidationError) else f"no {error}"
         raise ContractError(f"{what}: the {type(action).__name__} is not sound: {problem}.") from None
@@ -49,7 +49,7 @@ def check_records(turn: Turn[Any, Any]) -> None:
 
 def renew_records(turn: Turn[Any, Any]) -> None:
     """Write fresh copies into a turn's records, after a part spoilt the old ones."""
-    decision, shown, executed = turn._decision, rebuilt(turn._original), rebuilt(turn._action)
+    decision, shown, executed = turn._decision, rebuild(turn._original), rebuild(turn._action)
     turn._moment = decision.moment._replace(tutor_action=shown)
     turn._seals = seal(shown), seal(executed)
     turn._decision = decision._replace(
@@ -72,7 +72,7 @@ def check_graded(graded: Any, shown: ActionT) -> GradedAction[ActionT]:
         return graded
     if action is not shown and action != shown:
         raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
-    level, ampbit = exact_level(level), exact_bit(ampbit)
+    level, ampbit = require_level(level), require_bit(ampbit)
     if level < 0:
         raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
     return GradedAction(shown, level, ampbit)

@@ -10,7 +10,7 @@ from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.deciding.ladder import ROUNDING, Ladder
 from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import measure_deviation, move
-from tutorstudent.core.words.actions import Action, ActionT, Group, rebuilt
+from tutorstudent.core.words.actions import Action, ActionT, Group, rebuild
 from tutorstudent.core.words.records import StateT
 from tutorstudent.core.words.turn import Turn
 
@@ -30,7 +30,7 @@ class Corrector(Generic[StateT, ActionT]):
         with self._in_amplifier:
             reached = find_level(turn, executed, ladder)
             level, turn._untold = reached or 0, "" if reached is not None else "something else was executed"
-        asked, record = turn._asked, rebuilt(executed)
+        asked, record = turn._asked, rebuild(executed)
         turn._decision = asked._replace(
             selected=asked.selected._replace(level=min(level, asked.selected.level)),
             resulting=asked.resulting._replace(level=level),

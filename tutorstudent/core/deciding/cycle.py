@@ -13,7 +13,7 @@ from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.teaching import Teacher
 from tutorstudent.core.deciding.tutoring import TutorSeat
 from tutorstudent.core.roles.part import EnginePart
-from tutorstudent.core.words.actions import ActionT, rebuilt
+from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.proposals import ProposalT
 from tutorstudent.core.words.records import Decision, StateT
 from tutorstudent.core.words.turn import Turn
@@ -106,7 +106,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         shown = turn._moment.tutor_action
         record = shown
         if turn._action is not turn._original:
-            record = rebuilt(turn._action)
+            record = rebuild(turn._action)
             turn._seals = turn._seals[0], seal(record)
         turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
         self._limiter.remember(shown.kind, turn._resulting.level, turn._fractions)

@@ -29,7 +29,7 @@ from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Component, EnginePart, Learned, find_listeners
 from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import ProposalT, exact_level
+from tutorstudent.core.words.proposals import ProposalT, require_level
 from tutorstudent.core.words.records import Decision, Incident, StateT
 from tutorstudent.core.words.turn import Turn
 
@@ -211,7 +211,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         parts = dict(self.slots())
         for slot, value in state.items():
             if slot == "decisions":
-                self._cycle.decisions = exact_level(value)
+                self._cycle.decisions = require_level(value)
             elif slot in parts:
                 parts[slot].load_state_dict(value)
             else:

@@ -9,7 +9,7 @@ from tutorstudent.core.deciding.gate import check_written
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.commands import Command
-from tutorstudent.core.words.errors import ContractError, shown
+from tutorstudent.core.words.errors import ContractError, quote
 
 
 class FunctionTutor(Tutor[Any, Any]):
@@ -83,7 +83,7 @@ class FunctionTutor(Tutor[Any, Any]):
                 said.write(command)
             except Exception as error:
                 raise ContractError(
-                    f"the controller's command is {shown(command)}: a copy with other numbers cannot be made: "
+                    f"the controller's command is {quote(command)}: a copy with other numbers cannot be made: "
                     f"{type(error).__name__}: {error}. Give read= and write= to ts.scalar() or ts.vector()."
                 ) from error
         self._writable = True

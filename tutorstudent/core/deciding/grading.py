@@ -9,7 +9,7 @@ from tutorstudent.core.deciding.guard import Breach, Guard
 from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import render
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Student
-from tutorstudent.core.words.actions import ActionT, rebuilt
+from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.proposals import ProposalT
 from tutorstudent.core.words.records import GradedAction, StateT
 from tutorstudent.core.words.turn import Turn
@@ -46,7 +46,7 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
 
     def fall_back(self, turn: Turn[StateT, ActionT]) -> None:
         """Write the tutor's own action at level 0 (through slew where that is set), ampbit 1."""
-        shown = rebuilt(turn._original)  # what failed may have spoilt the first copy
+        shown = rebuild(turn._original)  # what failed may have spoilt the first copy
         limited = self._limiter.fall_back(turn)
         turn._moment = turn._moment._replace(tutor_action=shown)
         turn._seals = (held := seal(shown)), held

@@ -9,7 +9,7 @@ from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.deciding.rendering import measure_deviation, move_deviation
 from tutorstudent.core.roles.leaves import Change
 from tutorstudent.core.words.actions import Action, Group
-from tutorstudent.core.words.proposals import exact_number
+from tutorstudent.core.words.proposals import require_number
 from tutorstudent.core.words.turn import Fractions
 
 HIGHEST_LEVEL = 1000
@@ -87,7 +87,7 @@ def ask_change(change: Change, amount: float, sizes: Fractions, level: int) -> F
         level: 1 or more.
     """
     amplification = level * amount
-    return tuple([exact_fraction(change.fraction(amplification, size)) for size in sizes])
+    return tuple([require_fraction(change.fraction(amplification, size)) for size in sizes])
 
 
 def scale_fractions(fractions: Fractions, from_level: int, level: int) -> Fractions:
@@ -95,11 +95,11 @@ def scale_fractions(fractions: Fractions, from_level: int, level: int) -> Fracti
     return tuple([fraction * level / from_level for fraction in fractions])
 
 
-def exact_fraction(fraction: float) -> float:
+def require_fraction(fraction: float) -> float:
     """Return what a change returned as a plain float; ValueError if it is not finite or negative."""
     if type(fraction) is float and 0.0 <= fraction < math.inf:
         return fraction
-    plain = exact_number(fraction)
+    plain = require_number(fraction)
     if not 0 <= plain < math.inf:
         raise ValueError(f"a change returned {plain}; a fraction is finite and not negative")
     return plain

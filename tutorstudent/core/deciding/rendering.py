@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from tutorstudent.core.words.actions import ActionT, Group, rebuilt
+from tutorstudent.core.words.actions import ActionT, Group, rebuild
 from tutorstudent.core.words.turn import Fractions
 
 
@@ -71,4 +71,4 @@ def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -
     for group, fraction in zip(groups, fractions, strict=True):
         if fraction > 0:
             changed.update(zip(group.names, move(group, values, fraction), strict=True))
-    return rebuilt(original, changed) if changed else original
+    return rebuild(original, changed) if changed else original

@@ -8,7 +8,7 @@ from typing import Any, Generic
 from tutorstudent.core.deciding.checking import seal
 from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.roles.interfaces import Tutor
-from tutorstudent.core.words.actions import ActionT, rebuilt
+from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.records import Moment, StateT
 from tutorstudent.core.words.turn import Turn
@@ -33,7 +33,7 @@ class TutorSeat(Generic[StateT, ActionT]):
                     f"tutor '{self._tutor.name}' returned {type(action).__name__}; "
                     f"expected {self._tutor.action.__name__}. Tutors return an action of their class for every state."
                 )
-            copy, situation = rebuilt(action), self._tutor.situation
+            copy, situation = rebuild(action), self._tutor.situation
             if not isinstance(situation, str):
                 raise ContractError(
                     f"tutor '{self._tutor.name}': situation is {situation!r}; it is a string, '' for none."
@@ -42,7 +42,7 @@ class TutorSeat(Generic[StateT, ActionT]):
             if self._on_failure is None:
                 raise
             self._guard.record("tutor", error)
-            action, copy, situation = self._on_failure, rebuilt(self._on_failure), ""
+            action, copy, situation = self._on_failure, rebuild(self._on_failure), ""
             turn._void = "the tutor failed"
         turn._original, turn._groups = action, action.vocabulary.groups[action.kind]
         turn._moment = Moment(number, shown, copy, situation)
@@ -50,7 +50,7 @@ class TutorSeat(Generic[StateT, ActionT]):
 
     def tell(self, turn: Turn[StateT, ActionT]) -> None:
         """Tell the tutor what was really executed; for tutors that listen (`hears`)."""
-        self.call(lambda: self._tutor.executed(rebuilt(turn._decision.executed)))
+        self.call(lambda: self._tutor.executed(rebuild(turn._decision.executed)))
 
     def call(self, function: Callable[[], Any]) -> None:
         """Call something of the tutor's; it may raise unless the owner wrote down what to do then."""

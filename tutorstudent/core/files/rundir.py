@@ -27,9 +27,9 @@ from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.part import Component
-from tutorstudent.core.running.arrays import Arrays, flat, save_arrays
+from tutorstudent.core.running.arrays import Arrays, flatten, save_arrays
 from tutorstudent.core.running.meter import WorldEvents
-from tutorstudent.core.running.observers import Observer, Tally, tallied
+from tutorstudent.core.running.observers import Observer, Tally, make_tally_measures
 from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import PipelineError
@@ -62,7 +62,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
     """
     with pipeline.built() as built, ExitStack() as stack:
         # Before the run: what cannot be written down should not cost a run.
-        resolved, plugins = describe(built.engine, built.world, pipeline), providers(built, pipeline.registry)
+        resolved, plugins = describe(built.engine, built.world, pipeline), find_providers(built, pipeline.registry)
         recorder = Recorder([*built.observers, *observers])
         counting = [Tally(), WorldEvents(), recorder]
         for observer in (*counting, *observers):
@@ -71,7 +71,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
             stack.callback(observer.close)
         engine, world, header = built.engine, built.world, pipeline.header
         summary = run(engine, world, header.decisions, seed=header.seed, observers=counting)
-        measures = (*world.measures, *recorder.measured, *tallied(engine))
+        measures = (*world.measures, *recorder.measured, *make_tally_measures(engine))
         return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures)
 
 
@@ -85,11 +85,11 @@ def write_run(directory: Path, finished: Finished) -> str | None:
         PipelineError: if the directory cannot be written.
     """
     prepare(directory)
-    with writing(directory):
+    with explain_write_errors(directory):
         with (directory / "pipeline.yaml").open("w", encoding="utf-8") as stream:
             YAML().dump(finished.resolved, stream)
         save_arrays(directory / "decisions.npz", finished.decisions)
-        text = json.dumps(_record(finished), indent=2, sort_keys=True, allow_nan=False)
+        text = json.dumps(_make_record(finished), indent=2, sort_keys=True, allow_nan=False)
         (directory / "run.json").write_text(f"{text}\n", encoding="utf-8")
         (directory / "learned.npz").unlink(missing_ok=True)
     return _save_learned(directory / "learned.npz", finished.engine)
@@ -97,7 +97,7 @@ def write_run(directory: Path, finished: Finished) -> str | None:
 
 def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
     try:
-        save_arrays(path, flat(engine.state_dict()))
+        save_arrays(path, flatten(engine.state_dict()))
     except Exception as error:  # whatever a part's state_dict() does, the run has been paid for
         path.unlink(missing_ok=True)
         why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
@@ -111,7 +111,7 @@ def prepare(directory: Path) -> None:
     Raises:
         PipelineError: if the directory holds something that is no run, or cannot be made.
     """
-    with writing(directory):
+    with explain_write_errors(directory):
         if directory.exists() and not directory.is_dir():
             raise PipelineError(f"{directory} is a file; name a directory for the run.")
         if directory.is_dir() and any(directory.iterdir()) and not (directory / "run.json").exists():
@@ -120,7 +120,7 @@ def prepare(directory: Path) -> None:
 
 
 @contextmanager
-def writing(place: Path) -> Iterator[None]:
+def explain_write_errors(place: Path) -> Iterator[None]:
     """Turn what the operating system says into a sentence about the place.
 
     Raises:
@@ -133,10 +133,10 @@ def writing(place: Path) -> Iterator[None]:
         raise PipelineError(f"{place}: cannot be written: {reason}. Name a directory that you may write to.") from None
 
 
-def _record(finished: Finished) -> dict[str, Any]:
+def _make_record(finished: Finished) -> dict[str, Any]:
     engine = finished.engine
     return {
-        "versions": versions(),
+        "versions": find_versions(),
         "plugins": finished.plugins,
         "seed": finished.resolved["seed"],
         "decisions": finished.resolved["decisions"],
@@ -147,21 +147,21 @@ def _record(finished: Finished) -> dict[str, Any]:
     }
 
 
-def providers(built: Built, registry: Registry) -> dict[str, str]:
+def find_providers(built: Built, registry: Registry) -> dict[str, str]:
     """Return the distribution of every part, by role and name, as in ``tutor prototype2``."""
     known = {installed.cls: installed.distribution for installed in registry}
     engine = [part for _, part in built.engine.slots()]
-    used = {type(part) for part in _with_parts([*engine, built.world, *built.observers])}
+    used = {type(part) for part in _walk_parts([*engine, built.world, *built.observers])}
     return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
 
 
-def _with_parts(components: Iterable[Component]) -> Iterator[Component]:
+def _walk_parts(components: Iterable[Component]) -> Iterator[Component]:
     for component in components:
         yield component
-        yield from _with_parts(part for _, part in component.parts())
+        yield from _walk_parts(part for _, part in component.parts())
 
 
-def versions() -> dict[str, str]:
+def find_versions() -> dict[str, str]:
     """Return the versions that a result depends on."""
     found = {"python": platform.python_version(), "machine": platform.machine()}
     for package in PACKAGES:

@@ -11,9 +11,9 @@ from typing import Any
 
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import TALLIED, Begin, Observer, Tally
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 from tutorstudent.core.words.measures import Measure
-from tutorstudent.core.words.proposals import exact_number
+from tutorstudent.core.words.proposals import require_number
 from tutorstudent.core.words.turn import Turn
 
 
@@ -91,7 +91,7 @@ class Meter:
             observer.begin(begin)
             names: dict[str, str] = {}
             for measure in observer.measures:
-                name = names[measure.name] = free(measure.name, taken)
+                name = names[measure.name] = find_free_key(measure.name, taken)
                 taken.add(name)
                 self.measures.append(replace(measure, name=name, title=measure.title + name[len(measure.name) :]))
             self._names.append(names)
@@ -118,15 +118,15 @@ class Meter:
         """
         found = self._totals.summary()
         for observer, names in zip(self._observers, self._names, strict=True):
-            mine = {key: _number(value) for key, value in observer.summary().items()}
-            found |= {names.get(key) or free(key, found): value for key, value in mine.items()}
+            mine = {key: _make_number(value) for key, value in observer.summary().items()}
+            found |= {names.get(key) or find_free_key(key, found): value for key, value in mine.items()}
         return found
 
 
-def free(key: str, taken: Container[str]) -> str:
+def find_free_key(key: str, taken: Container[str]) -> str:
     """Return the key, with a number where it is taken.
 
-    >>> free("hits", []), free("hits", ["hits", "hits#2"])
+    >>> find_free_key("hits", []), find_free_key("hits", ["hits", "hits#2"])
     ('hits', 'hits#3')
     """
     numbered = (f"{key}#{number}" for number in count(2))
@@ -143,18 +143,18 @@ def _check(observer: Observer, values: Any, names: Mapping[str, str]) -> dict[st
         if name not in names:
             raise ContractError(
                 f"observer '{observer.name}': observe() returned '{name}', which is none of its measures"
-                f"{suggestion(name, names)}. Measures: {listing(names)}. Declare it: measures = [ts.Measure('{name}')]."
+                f"{suggest(name, names)}. Measures: {list_names(names)}. Declare it: measures = [ts.Measure('{name}')]."
             )
-        if math.isnan(_number(value)):
+        if math.isnan(_make_number(value)):
             raise ContractError(
                 f"observer '{observer.name}': observe() returned {value!r} for '{name}'; return a number, or leave the "
                 "name out where there is none."
             )
-    return {names[name]: exact_number(value) for name, value in values.items()}
+    return {names[name]: require_number(value) for name, value in values.items()}
 
 
-def _number(value: Any) -> float:
+def _make_number(value: Any) -> float:
     try:
-        return exact_number(value)
+        return require_number(value)
     except (TypeError, ValueError, OverflowError):
         return math.nan

@@ -132,7 +132,7 @@ VIOLATED = "violated:"
 """Stands before the name of a condition in summaries."""
 
 
-def tallied(engine: Engine[Any, Any, Any]) -> list[Measure]:
+def make_tally_measures(engine: Engine[Any, Any, Any]) -> list[Measure]:
     """Return what `Tally` measures of an engine: of several conditions also each by itself."""
     labels = [condition.label for condition in engine.conditions]
     of_each = [

@@ -88,7 +88,7 @@ class Recorder(Observer):
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         i, decision = self._count, turn.decision
-        self._heads[i] = self._head(turn, ended=step.done or step.truncated)
+        self._heads[i] = self._make_head(turn, ended=step.done or step.truncated)
         said, values = decision.moment.tutor_action.__dict__, decision.executed.__dict__
         self._said[i] = [said[name] for name in self._components]
         self._executed[i] = [values[name] for name in self._components]
@@ -100,7 +100,7 @@ class Recorder(Observer):
         self._measured[i] = [numbers.get(measure.name, np.nan) for measure in self.measured]
         self._count += 1
 
-    def _head(self, turn: Turn[Any, Any], *, ended: bool) -> tuple[int, ...]:
+    def _make_head(self, turn: Turn[Any, Any], *, ended: bool) -> tuple[int, ...]:
         decision, lesson, incidents = turn.decision, turn.lesson, turn.incidents
         return (
             self._kind_of[decision.moment.tutor_action.kind],
@@ -128,20 +128,20 @@ class Recorder(Observer):
         n = self._count
         columns: Arrays = {name: self._heads[:n, i].copy() for i, name in enumerate(HEADS)}
         return columns | {
-            "kind_names": _as_array(self._kinds),
-            "situation_names": _as_array(list(self._situations)),
-            "limited_by_names": _as_array(list(self._limits)),
-            "void_names": _as_array(list(self._voids)),
-            "incident_part_names": _as_array(list(self._parts)),
+            "kind_names": _make_array(self._kinds),
+            "situation_names": _make_array(list(self._situations)),
+            "limited_by_names": _make_array(list(self._limits)),
+            "void_names": _make_array(list(self._voids)),
+            "incident_part_names": _make_array(list(self._parts)),
             "said": self._said[:n],
             "executed": self._executed[:n],
-            "component_names": _as_array(self._components),
+            "component_names": _make_array(self._components),
             "violated": self._violated[:n],
-            "condition_names": _as_array(self._conditions),
+            "condition_names": _make_array(self._conditions),
             "events": self._world[:n],
-            "event_names": _as_array(self._events),
+            "event_names": _make_array(self._events),
             "measures": self._measured[:n],
-            "measure_names": _as_array([measure.name for measure in self.measured]),
+            "measure_names": _make_array([measure.name for measure in self.measured]),
         }
 
 
@@ -155,5 +155,5 @@ class _Words(dict[str, int]):
         return self.setdefault(word, len(self))
 
 
-def _as_array(words: list[str]) -> NDArray[np.str_]:
+def _make_array(words: list[str]) -> NDArray[np.str_]:
     return np.array(words, dtype=np.str_) if words else np.zeros(0, dtype="<U1")

@@ -13,7 +13,7 @@ from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.core.words.measures import Measure, Summary
 from tutorstudent.core.words.snapshots import take_snapshot
 from tutorstudent.sims.gym.loading import load_gymnasium
-from tutorstudent.sims.gym.spaces import box_values, check_box, check_fit
+from tutorstudent.sims.gym.spaces import check_box, check_fit, make_box_values
 from tutorstudent.sims.gym.types import GymState
 
 
@@ -70,7 +70,9 @@ class GymnasiumWorld(World[GymState, Action]):
             raise ContractError("world 'gymnasium': no trial is running; call reset(seed) first.")
         if type(action) is not self._fits:
             self._check(type(action))
-        observation, reward, terminated, truncated, info = self._env.step(box_values(action, self._env.action_space))
+        observation, reward, terminated, truncated, info = self._env.step(
+            make_box_values(action, self._env.action_space)
+        )
         state = GymState(
             take_snapshot(observation), float(reward), bool(terminated), bool(truncated), take_snapshot(info)
         )
@@ -92,17 +94,17 @@ class GymnasiumWorld(World[GymState, Action]):
         try:
             env = gymnasium.make(self.options.id, **limit, **self.options.kwargs)
         except (gymnasium.error.Error, TypeError, ValueError, ImportError) as error:
-            raise PipelineError(f"{self._name()}: it cannot be made: {type(error).__name__}: {error}") from None
+            raise PipelineError(f"{self._format_name()}: it cannot be made: {type(error).__name__}: {error}") from None
         try:
-            check_box(env.action_space, self._name())
+            check_box(env.action_space, self._format_name())
         except ContractError:
             env.close()
             raise
         self._env = env
 
     def _check(self, action: type[Action]) -> None:
-        check_fit(action, self._env.action_space, self._name())
+        check_fit(action, self._env.action_space, self._format_name())
         self._fits = action
 
-    def _name(self) -> str:
+    def _format_name(self) -> str:
         return f"world 'gymnasium' ({self.options.id})"

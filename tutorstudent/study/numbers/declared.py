@@ -17,7 +17,7 @@ HARMS = ("collided", "violated")
 """What is counted as harm: the first of these that there is."""
 
 
-def measures_in(environment: Environment, runs: Sequence[Run]) -> list[Measure]:
+def find_measures(environment: Environment, runs: Sequence[Run]) -> list[Measure]:
     """Return every measure that any run of an environment has: what is counted as achievement, then all others.
 
     More is better of what is counted as achievement, whatever its part says. A number that no part declared, such as
@@ -32,11 +32,11 @@ def measures_in(environment: Environment, runs: Sequence[Run]) -> list[Measure]:
     names = list(dict.fromkeys([*declared, *(key for run in there for key in sorted(run.summary))]))
     known = {item.name: item for item in TALLIED} | COMMON | declared
     found = [known.get(name, Measure(name)) for name in names if _is_measure(name, known)]
-    ordered = sorted((item for item in found if any(item.name in run.summary for run in there)), key=_place)
-    return _with_counters(ordered, environment.counters())
+    ordered = sorted((item for item in found if any(item.name in run.summary for run in there)), key=_rank)
+    return _add_counters(ordered, environment.counters())
 
 
-def harm_in(measures: Sequence[Measure]) -> Measure:
+def choose_harm(measures: Sequence[Measure]) -> Measure:
     """Return what is counted as harm: collided decisions, and violated ones where the world knows no collisions."""
     by_name = {measure.name: measure for measure in measures}
     return next((by_name[name] for name in HARMS if name in by_name), TALLIED[0])
@@ -46,12 +46,12 @@ def _is_measure(name: str, known: Collection[str]) -> bool:
     return name not in NO_MEASURES and (name in known or not name.startswith(UNBOUNDED))
 
 
-def _place(measure: Measure) -> tuple[bool, bool]:
+def _rank(measure: Measure) -> tuple[bool, bool]:
     """Return what measures are ordered by: harm and whatever is no detail first."""
     return measure.detail, measure.name not in HARMS[:1]
 
 
-def _with_counters(measures: Sequence[Measure], counters: Collection[str]) -> list[Measure]:
+def _add_counters(measures: Sequence[Measure], counters: Collection[str]) -> list[Measure]:
     by_name = {measure.name: measure for measure in measures}
     counted = [replace(by_name[name], better="more", detail=False) for name in counters if name in by_name]
     return [*counted, *(measure for measure in measures if measure.name not in counters)]

@@ -60,12 +60,12 @@ class Quantity(NamedTuple):
             value = self.over.amount * value / divisor if 0 < divisor < math.inf else math.nan
         return value if math.isfinite(value) else None
 
-    def known(self, runs: Iterable[Run]) -> bool:
+    def is_known(self, runs: Iterable[Run]) -> bool:
         """Return whether any of the runs could have the number: its parts are in the summary."""
         keys = {self.measure.name} | ({self.over.key} if self.over else set())
         return any(keys <= run.summary.keys() for run in runs)
 
-    def by_seed(self, runs: Sequence[Run]) -> dict[int, float]:
+    def read_by_seed(self, runs: Sequence[Run]) -> dict[int, float]:
         """Return the numbers of the runs that have one."""
         values = {run.seed: self.of(run.summary) for run in runs}
         return {seed: value for seed, value in values.items() if value is not None}

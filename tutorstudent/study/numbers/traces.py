@@ -12,15 +12,15 @@ from tutorstudent.core.words.measures import Measure
 from tutorstudent.study.numbers.curves import (
     Curve,
     count_by_decision,
-    event,
-    harmed,
-    learning_curve,
-    places,
-    series,
-    thinned,
-    total,
+    find_harm,
+    make_learning_curve,
+    read_event,
+    read_points,
+    read_series,
+    sum_up,
+    thin_out,
 )
-from tutorstudent.study.numbers.declared import harm_in, measures_in
+from tutorstudent.study.numbers.declared import choose_harm, find_measures
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Run, Study
 
@@ -50,9 +50,9 @@ class Trace(NamedTuple):
     goal: float | None
     """What it came to; None if it does not count that."""
     totals: dict[str, Curve]
-    """By title: how often it had happened, at `curves.thinned` decisions; the last is the end."""
+    """By title: how often it had happened, at `curves.thin_out` decisions; the last is the end."""
     rates: dict[str, Curve]
-    """By measure, a value for each of `curves.edges`; what the run does not have is missing."""
+    """By measure, a value for each of `curves.make_edges`; what the run does not have is missing."""
     harm_places: NDArray[np.float64] | None
     """Where each harmed decision ended, shape (harmed, 2), metres; None if the world does not say."""
     contact_places: NDArray[np.float64] | None
@@ -92,14 +92,14 @@ class Traces(NamedTuple):
 def read_traces(study: Study, environment: Environment) -> Traces:
     """Read every run of an environment."""
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    counted = _counted(study, environment)
+    counted = _find_counted(study, environment)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
         by_variant[name] = []
         for run in found:
             arrays = run.arrays()
-            by_variant[name].append(_trace(run, arrays, counted))
+            by_variant[name].append(_make_trace(run, arrays, counted))
             if run.seed == study.plan.seeds[0]:
                 firsts[name] = arrays
     recorded = {name for traces in by_variant.values() for trace in traces for name in trace.rates}
@@ -107,27 +107,27 @@ def read_traces(study: Study, environment: Environment) -> Traces:
     return Traces(counted._replace(measures=there), by_variant, firsts)
 
 
-def _counted(study: Study, environment: Environment) -> Counted:
-    measures = measures_in(environment, study.runs)
+def _find_counted(study: Study, environment: Environment) -> Counted:
+    measures = find_measures(environment, study.runs)
     sums = [measure.name for measure in measures if measure.summed == "sum"]
     counters = {name: situation for name, situation in environment.counters().items() if situation or name in sums}
-    return Counted(counters, harm_in(measures).name, study.plan.goal, tuple(measures))
+    return Counted(counters, choose_harm(measures).name, study.plan.goal, tuple(measures))
 
 
-def _trace(run: Run, arrays: Arrays, counted: Counted) -> Trace:
-    harm, situations = harmed(arrays), counted.counters
+def _make_trace(run: Run, arrays: Arrays, counted: Counted) -> Trace:
+    harm, situations = find_harm(arrays), counted.counters
     found = {name: count_by_decision(arrays, name, situation) for name, situation in situations.items()}
     happened = {name: values for name, values in found.items() if values is not None}
-    at = thinned(len(harm))
-    totals = {name: total(which)[at] for name, which in (happened | {counted.harm_total(): harm}).items()}
-    numbers = {item: happened.get(item.name, series(arrays, item.name)) for item in counted.measures}
-    where, contacts = places(arrays), event(arrays, "contacts")
+    at = thin_out(len(harm))
+    totals = {name: sum_up(which)[at] for name, which in (happened | {counted.harm_total(): harm}).items()}
+    numbers = {item: happened.get(item.name, read_series(arrays, item.name)) for item in counted.measures}
+    where, contacts = read_points(arrays), read_event(arrays, "contacts")
     return Trace(
         run.seed,
         len(harm),
         run.summary.get(counted.goal),
         totals,
-        {item.name: learning_curve(values, item) for item, values in numbers.items() if values is not None},
+        {item.name: make_learning_curve(values, item) for item, values in numbers.items() if values is not None},
         None if where is None else where[harm],
         None if where is None or contacts is None else where[contacts > 0],
     )

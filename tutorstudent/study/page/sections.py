@@ -8,16 +8,16 @@ from functools import cached_property
 from html import escape
 from typing import Any
 
-from tutorstudent.study.page.head import head_html
-from tutorstudent.study.pictures.galleries import Gallery, gallery_html
+from tutorstudent.study.page.head import make_head
+from tutorstudent.study.pictures.galleries import Gallery, make_gallery
 from tutorstudent.study.pictures.palette import Palette
-from tutorstudent.study.pictures.pictures import Pictures, pictures
+from tutorstudent.study.pictures.pictures import Pictures, draw_pictures
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Study
-from tutorstudent.study.tables.media import html
-from tutorstudent.study.tables.search_table import level_colours_by_name, search_table
+from tutorstudent.study.tables.media import make_html
+from tutorstudent.study.tables.search_table import colour_levels, make_search_table
 from tutorstudent.study.tables.table import Table
-from tutorstudent.study.tables.tables import runs_table, tables
+from tutorstudent.study.tables.tables import make_runs_table, make_tables
 
 
 class Place:
@@ -29,50 +29,52 @@ class Place:
     @cached_property
     def pictures(self) -> Pictures:
         """All its drawings; every run is read once for them."""
-        return pictures(self.study, self.environment, self.palette)
+        return draw_pictures(self.study, self.environment, self.palette)
 
 
 def what_was_gained(place: Place) -> str | None:
     """Return every run's gain against its harm."""
-    return _galleries(place.pictures.overview)
+    return _make_galleries(place.pictures.overview)
 
 
 def all_tables(place: Place) -> str | None:
     """Return the tables; each explains its own columns."""
-    return "\n".join(_table(place, table) for table in tables(place.study, place.environment))
+    return "\n".join(_make_table(place, table) for table in make_tables(place.study, place.environment))
 
 
 def every_run_and_its_way(place: Place) -> str | None:
     """Return every run as a dot, learning curves, maps and the film."""
-    return _galleries(place.pictures.details)
+    return _make_galleries(place.pictures.details)
 
 
 def details_over_time(place: Place) -> str | None:
     """Return the learning curves of measures that are details."""
-    return fold("Learning curves of the details", _galleries(place.pictures.others))
+    return fold("Learning curves of the details", _make_galleries(place.pictures.others))
 
 
 def totals_over_time(place: Place) -> str | None:
     """Return the curves of what is found and of harm once more, summed up."""
-    return fold("Learning curves, summed up", _galleries(place.pictures.totals))
+    return fold("Learning curves, summed up", _make_galleries(place.pictures.totals))
 
 
 def search(place: Place) -> str | None:
     """Return how the constant level was searched for."""
     found = place.study.search
-    table = search_table(found, place.environment.name) if found else None
-    return fold(table.title, html(table, level_colours_by_name())) if table and table.rows else None
+    table = make_search_table(found, place.environment.name) if found else None
+    return fold(table.title, make_html(table, colour_levels())) if table and table.rows else None
 
 
 def runs_as_numbers(place: Place) -> str | None:
     """Return a row for each run."""
-    return fold("Every run as numbers", html(runs_table(place.study, place.environment), place.palette.css_by_name()))
+    return fold(
+        "Every run as numbers", make_html(make_runs_table(place.study, place.environment), place.palette.list_css())
+    )
 
 
 def environment(place: Place) -> str:
     """Return everything about one environment."""
     name = escape(place.environment.name)
-    return f'<section id="{name}">\n<h2>{name}</h2>\n{_joined(IN_AN_ENVIRONMENT, place)}\n</section>'
+    return f'<section id="{name}">\n<h2>{name}</h2>\n{_join(IN_AN_ENVIRONMENT, place)}\n</section>'
 
 
 IN_AN_ENVIRONMENT: tuple[Callable[[Place], str | None], ...] = (
@@ -89,7 +91,7 @@ IN_AN_ENVIRONMENT: tuple[Callable[[Place], str | None], ...] = (
 
 def head(study: Study) -> str | None:
     """Return what was compared, and what has to be said of it first."""
-    return head_html(study, title_of(study), Palette(study.plan.variants()))
+    return make_head(study, make_title(study), Palette(study.plan.variants()))
 
 
 def environments(study: Study) -> str | None:
@@ -113,14 +115,14 @@ OF_THE_STUDY: tuple[Callable[[Study], str | None], ...] = (head, environments, w
 """The whole page."""
 
 
-def title_of(study: Study) -> str:
+def make_title(study: Study) -> str:
     """Return the title of the page."""
     return "Comparison of " + ", ".join(v.name for v in study.plan.variants() if not v.control)
 
 
-def body(study: Study) -> str:
+def make_body(study: Study) -> str:
     """Return all sections."""
-    return _joined(OF_THE_STUDY, study)
+    return _join(OF_THE_STUDY, study)
 
 
 def fold(title: str, body: str | None) -> str | None:
@@ -128,16 +130,16 @@ def fold(title: str, body: str | None) -> str | None:
     return f"<details><summary>{escape(title)}</summary>\n{body}\n</details>" if body else None
 
 
-def _joined(sections: Iterable[Callable[..., str | None]], about: Any) -> str:
+def _join(sections: Iterable[Callable[..., str | None]], about: Any) -> str:
     return "\n".join(made for section in sections if (made := section(about)))
 
 
-def _galleries(galleries: Iterable[Gallery]) -> str:
-    return "\n".join(map(gallery_html, galleries))
+def _make_galleries(galleries: Iterable[Gallery]) -> str:
+    return "\n".join(map(make_gallery, galleries))
 
 
-def _table(place: Place, table: Table) -> str:
+def _make_table(place: Place, table: Table) -> str:
     """Return a table; one that has more rows than there are variants, and so pairs of them, is folded."""
-    body = html(table, place.palette.css_by_name())
+    body = make_html(table, place.palette.list_css())
     is_long = len(table.rows) > len(place.environment.variants)
     return (fold(table.title, body) if is_long else None) or f"<h3>{escape(table.title)}</h3>\n{body}"

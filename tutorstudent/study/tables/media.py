@@ -13,7 +13,7 @@ from rich.text import Text
 from tutorstudent.study.tables.table import Table
 
 
-def markdown(table: Table) -> str:
+def make_markdown(table: Table) -> str:
     """Return a table as GitHub's Markdown."""
     header = ["", *table.header]
     lines = [header, ["---", *("---:" for _ in table.header)]]
@@ -23,7 +23,7 @@ def markdown(table: Table) -> str:
     return f"**{table.title}**\n\n{body}\n{note}"
 
 
-def html(table: Table, colours: Mapping[str, str]) -> str:
+def make_html(table: Table, colours: Mapping[str, str]) -> str:
     """Return a table with its note as HTML; `colours` has a CSS colour for each variant."""
     head = "".join(f'<th scope="col">{escape(title)}</th>' for title in table.header)
     rows = []
@@ -43,25 +43,25 @@ GAP = 2
 """Between columns of the terminal's tables, letters."""
 
 
-def terminal(table: Table, width: int = 80) -> Group:
+def make_terminal_table(table: Table, width: int = 80) -> Group:
     """Return a table for a terminal so many letters wide; controls are set in italics.
 
     A table that is too wide becomes several, one below the other, each with the names of its rows.
     """
     titles = [
-        textwrap.fill(title, _width(table, i), break_long_words=False, break_on_hyphens=False)
+        textwrap.fill(title, _find_width(table, i), break_long_words=False, break_on_hyphens=False)
         for i, title in enumerate(table.header)
     ]
-    widths = [max(_width(table, i), *map(len, title.split("\n"))) + GAP for i, title in enumerate(titles)]
+    widths = [max(_find_width(table, i), *map(len, title.split("\n"))) + GAP for i, title in enumerate(titles)]
     room = width - GAP - max((len(row.name) for row in table.rows), default=0)
-    return Group(*(_part(table, titles, part) for part in _parts(widths, room)))
+    return Group(*(_make_part(table, titles, part) for part in _split_columns(widths, room)))
 
 
-def _width(table: Table, column: int) -> int:
+def _find_width(table: Table, column: int) -> int:
     return max((len(row.cells[column]) for row in table.rows), default=1)
 
 
-def _parts(widths: list[int], room: int) -> Iterator[list[int]]:
+def _split_columns(widths: list[int], room: int) -> Iterator[list[int]]:
     """Yield the columns that stand beside each other, as many as there is room for."""
     part: list[int] = []
     for column, width in enumerate(widths):
@@ -72,7 +72,7 @@ def _parts(widths: list[int], room: int) -> Iterator[list[int]]:
     yield part
 
 
-def _part(table: Table, titles: list[str], columns: list[int]) -> RichTable:
+def _make_part(table: Table, titles: list[str], columns: list[int]) -> RichTable:
     title = table.title if 0 in columns or not columns else None
     drawn = RichTable(
         title=title, title_justify="left", title_style="bold", box=None, pad_edge=False, padding=(0, GAP, 0, 0)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tutorstudent.study.numbers.declared import measures_in
-from tutorstudent.study.numbers.pairs import paired
+from tutorstudent.study.numbers.declared import find_measures
+from tutorstudent.study.numbers.pairs import make_pairs
 from tutorstudent.study.numbers.quantities import Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 from tutorstudent.study.tables.cells import NOTHING, difference
-from tutorstudent.study.tables.columns import RATES, Column, columns_by_table, digest, explain
-from tutorstudent.study.tables.difference_tables import difference_tables, verdict_tables
+from tutorstudent.study.tables.columns import RATES, Column, explain, make_columns, make_digest_columns
+from tutorstudent.study.tables.difference_tables import make_difference_tables, make_verdict_tables
 from tutorstudent.study.tables.table import Row, Table
 
 CONTROLS = (
@@ -26,63 +26,63 @@ INTERVALS = (
 )
 
 
-def tables(study: Study, environment: Environment) -> list[Table]:
+def make_tables(study: Study, environment: Environment) -> list[Table]:
     """Return what was found, what it cost and what the parts did, then what is compared to what."""
     described = [
-        _table(study, environment, title, columns, note="" if title == RATES else explain(columns))
-        for title, columns in _columns(study, environment).items()
+        _make_table(study, environment, title, columns, note="" if title == RATES else explain(columns))
+        for title, columns in _make_columns(study, environment).items()
         if columns
     ]
-    return [*described, *verdict_tables(study, environment), *difference_tables(study, environment)]
+    return [*described, *make_verdict_tables(study, environment), *make_difference_tables(study, environment)]
 
 
-def digest_table(study: Study, environment: Environment) -> Table:
+def make_digest_table(study: Study, environment: Environment) -> Table:
     """Return the one table that a terminal shows; the others stand in the page and in table.md."""
-    columns = digest(measures_in(environment, study.runs))
+    columns = make_digest_columns(find_measures(environment, study.runs))
     title = f"{len(study.plan.seeds)} runs each, mean ± standard deviation"
     plain = environment._replace(reference="")  # differences stand in the other tables
-    table = _table(study, plain, title, columns, explain(columns))
+    table = _make_table(study, plain, title, columns, explain(columns))
     return table._replace(header=table.header[1:], rows=tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
 
 
-def runs_table(study: Study, environment: Environment) -> Table:
+def make_runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
-    shown = [column.quantity for columns in _columns(study, environment).values() for column in columns]
+    shown = [column.quantity for columns in _make_columns(study, environment).values() for column in columns]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_number(run, quantity) for quantity in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_make_number(run, quantity) for quantity in shown)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
     return Table("Every run", ("seed", *(quantity.title for quantity in shown)), tuple(rows))
 
 
-def _columns(study: Study, environment: Environment) -> dict[str, list[Column]]:
+def _make_columns(study: Study, environment: Environment) -> dict[str, list[Column]]:
     """Return the columns of each table, without those that no run has."""
     there = [run for run in study.runs if run.environment == environment.name]
-    found = columns_by_table(measures_in(environment, there))
-    return {title: [item for item in columns if item.quantity.known(there)] for title, columns in found.items()}
+    found = make_columns(find_measures(environment, there))
+    return {title: [item for item in columns if item.quantity.is_known(there)] for title, columns in found.items()}
 
 
-def _table(study: Study, environment: Environment, title: str, columns: Sequence[Column], note: str) -> Table:
+def _make_table(study: Study, environment: Environment, title: str, columns: Sequence[Column], note: str) -> Table:
     header = ["runs"]
     for column in columns:
         header += [column.title, "difference"] if column.is_compared and environment.reference else [column.title]
-    rows = [_row(study, environment, variant, columns) for variant in environment.variants]
+    rows = [_make_row(study, environment, variant, columns) for variant in environment.variants]
     return Table(title, tuple(header), tuple(rows), note)
 
 
-def _row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
-    runs, cells = study.of(environment.name, variant.name), [_runs(study, environment, variant.name)]
+def _make_row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
+    runs, cells = study.of(environment.name, variant.name), [_count_runs(study, environment, variant.name)]
     reference = study.of(environment.name, environment.reference)
     for column in columns:
-        cells.append(_cell(runs, column))
+        cells.append(_make_cell(runs, column))
         if column.is_compared and environment.reference:
             itself = variant.name == environment.reference
-            cells.append(NOTHING if itself else _difference(runs, reference, column.quantity))
+            cells.append(NOTHING if itself else _make_difference(runs, reference, column.quantity))
     return Row(variant.name, variant.control, tuple(cells))
 
 
-def _runs(study: Study, environment: Environment, variant: str) -> str:
+def _count_runs(study: Study, environment: Environment, variant: str) -> str:
     place = (environment.name, variant)
     told = {"failed": study.failures, "not run yet": study.waiting}
     counts = {word: sum(item[:2] == place for item in found) for word, found in told.items()}
@@ -90,17 +90,17 @@ def _runs(study: Study, environment: Environment, variant: str) -> str:
     return f"{len(study.of(*place))}" + (f" ({lacking})" if lacking else "")
 
 
-def _cell(runs: Sequence[Run], column: Column) -> str:
-    values = column.quantity.by_seed(runs)
+def _make_cell(runs: Sequence[Run], column: Column) -> str:
+    values = column.quantity.read_by_seed(runs)
     missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
     return column.cell(list(values.values())) + missing if values else NOTHING
 
 
-def _difference(runs: Sequence[Run], reference: Sequence[Run], quantity: Quantity) -> str:
-    pairs = paired(quantity.by_seed(runs), quantity.by_seed(reference))
+def _make_difference(runs: Sequence[Run], reference: Sequence[Run], quantity: Quantity) -> str:
+    pairs = make_pairs(quantity.read_by_seed(runs), quantity.read_by_seed(reference))
     return difference(pairs.difference() if pairs else None)
 
 
-def _number(run: Run, quantity: Quantity) -> str:
+def _make_number(run: Run, quantity: Quantity) -> str:
     value = quantity.of(run.summary)
     return NOTHING if value is None else f"{value:.6g}"
