@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from tests.core.toys import toy_registry
 from tutorstudent.command import plugin_list
 from tutorstudent.command.common_options import VERBOSE
-from tutorstudent.command.plugin_info import find, page, yaml_line
+from tutorstudent.command.plugin_info import find, format_page, format_yaml
 from tutorstudent.command.program import app, main
 from tutorstudent.core.files.loading import TRACE
 from tutorstudent.core.files.registry import Registry
@@ -94,14 +94,14 @@ def test_info_prints_json() -> None:
 
 def test_every_component_can_be_shown(registry: Registry) -> None:
     for installed in registry:
-        lines = list(page(installed, registry))
+        lines = list(format_page(installed, registry))
         assert lines[0] == f"{installed.cls.role} {installed.cls.name}"
         assert [] == [line for line in lines[lines.index("") :] if "Options" in line and len(line) > 80]
 
 
 def test_the_line_of_a_component_names_parts_that_need_nothing_more(registry: Registry) -> None:
-    assert "conditions: [{use: any-of, of: [bumped]}]" == yaml_line(find("any-of", None, registry), registry)
-    assert "tutor: pusher" == yaml_line(find("pusher", None, registry), registry)
+    assert "conditions: [{use: any-of, of: [bumped]}]" == format_yaml(find("any-of", None, registry), registry)
+    assert "tutor: pusher" == format_yaml(find("pusher", None, registry), registry)
 
 
 @pytest.mark.parametrize(
@@ -126,7 +126,7 @@ def test_info_about_what_is_not_there_says_what_is(name: str, role: str | None, 
 
 @pytest.mark.parametrize("width", [30, 50, 80, 120, math.inf])
 def test_the_list_never_cuts_a_name(width: float, registry: Registry) -> None:
-    lines = list(plugin_list.page(registry, width))
+    lines = list(plugin_list.format_page(registry, width))
     words = {word for line in lines for word in line.split()}
     assert {name for item in registry for name in (item.cls.name, item.entry_point)} <= words | {""}
     assert {item.distribution for item in registry} <= set(lines)
@@ -134,9 +134,9 @@ def test_the_list_never_cuts_a_name(width: float, registry: Registry) -> None:
 
 @pytest.mark.parametrize("width", [80, 120])
 def test_the_list_fits_its_width_and_leaves_out_no_word(width: int, registry: Registry) -> None:
-    lines = list(plugin_list.page(registry, width))
+    lines = list(plugin_list.format_page(registry, width))
     assert [] == [line for line in lines if len(line) > width]
-    expected = Counter(word for item in registry for word in plugin_list.summary(item.cls).split())
+    expected = Counter(word for item in registry for word in plugin_list.read_first_line(item.cls).split())
     assert expected <= Counter(word for line in lines for word in line.split())
 
 

@@ -46,11 +46,11 @@ def wrap(
     """
     found = [condition, *conditions] if condition is not None else list(conditions)
     slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
-    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _defaults(ranges) | slots, {}))
-    return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_named(found)))
+    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(ranges) | slots, {}))
+    return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_name_conditions(found)))
 
 
-def _defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
+def _make_defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
     return {
         "student": {
             "use": "table",
@@ -62,7 +62,7 @@ def _defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
     }
 
 
-def _named(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
+def _name_conditions(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
     return [
         item if isinstance(item, Condition) else condition(f"condition-{number}")(item)()
         for number, item in enumerate(conditions, start=1)

@@ -12,7 +12,7 @@ from pathlib import Path
 from tests.bench.clock import REPETITIONS, Timing, interleaved
 from tests.bench.parts import parts_work
 from tests.bench.worlds import alone, closed_loop_work
-from tutorstudent.core.files.rundir import versions
+from tutorstudent.core.files.rundir import find_versions
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "performance.md"
@@ -57,7 +57,7 @@ def goals(seen: dict[str, Timing]) -> list[tuple[str, str, str, str]]:
 
 def page(seen: dict[str, Timing]) -> str:
     """Return the measured part of docs/performance.md."""
-    found = versions()
+    found = find_versions()
     machine = (
         f"`make bench`, {time.strftime('%Y-%m-%d')}: {_processor()}, {os.cpu_count()} cores, Python "
         f"{platform.python_version()}, numpy {found['numpy']}, pydantic {found['pydantic']}, "

@@ -12,7 +12,7 @@ from tests.bench.parts import FULL, Work, engine
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.world import World
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
-from tutorstudent.sims.pioneer.calls import CallLog, bound
+from tutorstudent.sims.pioneer.calls import CallLog, bind_calls
 from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction
 
@@ -40,7 +40,7 @@ def closed_loop_work(name: str, scene: str) -> Work:
     calls = list(log.calls)
     replayed, _ = _world(scene, logged=False)
     replayed.reset(SEED)
-    bare = bound(calls, load_pybullet(), replayed._bullet.client)
+    bare = bind_calls(calls, load_pybullet(), replayed._bullet.client)
     timed, _ = _world(scene, logged=False)
     return {
         f"{name}: closed loop": (_drive(timed), DECISIONS),

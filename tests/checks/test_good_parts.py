@@ -111,7 +111,7 @@ def test_the_instance_is_only_copied() -> None:
 
 
 def test_a_part_that_stands_in_a_pipeline_is_refused() -> None:
-    part = checks_of(Stove())[0].usage.subject.bound()
+    part = checks_of(Stove())[0].usage.subject.make_bound()
     with pytest.raises(ContractError, match="tutor 'stove' stands at 'tutor' of a pipeline; give the checks one that"):
         checks_of(part)
 

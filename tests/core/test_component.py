@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.roles.binding import Binding, stream
+from tutorstudent.core.roles.binding import Binding, make_stream
 from tutorstudent.plugins.amplifiers import LearningPhase
 from tutorstudent.plugins.changes import Additive
 from tutorstudent.plugins.controls import Random
@@ -63,8 +63,8 @@ def test_a_component_has_one_place() -> None:
 
 
 def test_streams_depend_on_seed_and_slot_only() -> None:
-    assert stream(7, "student").random() == stream(7, "student").random()
-    drawn = {stream(seed, slot).random() for seed in (7, 8) for slot in ("student", "tutor", "student.encoder")}
+    assert make_stream(7, "student").random() == make_stream(7, "student").random()
+    drawn = {make_stream(seed, slot).random() for seed in (7, 8) for slot in ("student", "tutor", "student.encoder")}
     assert 6 == len(drawn)
 
 

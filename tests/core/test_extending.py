@@ -101,10 +101,10 @@ def test_every_value_has_its_place_in_its_own_file() -> None:
     Path("middle.yaml").write_text("extends: base.yaml\nseed: 4\nstudent:\n  teaching: 1\n")
     Path("child.yaml").write_text("extends: middle.yaml\n\ndecisions: 9\n")
     document = read_extended(Path("child.yaml"))
-    assert "child.yaml:3:1: decisions" == document.where(("decisions",))
-    assert "middle.yaml:2:1: seed" == document.where(("seed",))
-    assert "middle.yaml:4:3: student.teaching" == document.where(("student", "teaching"))
-    assert "base.yaml:6:3: student.use" == document.where(("student", "use"))
+    assert "child.yaml:3:1: decisions" == document.locate(("decisions",))
+    assert "middle.yaml:2:1: seed" == document.locate(("seed",))
+    assert "middle.yaml:4:3: student.teaching" == document.locate(("student", "teaching"))
+    assert "base.yaml:6:3: student.use" == document.locate(("student", "use"))
 
 
 @pytest.mark.usefixtures("folder")

@@ -13,7 +13,7 @@ from tests.core.toys import PIPELINE, Push, Pusher, toy_registry
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.rundir import run_pipeline
 from tutorstudent.core.files.yamlfile import parse_yaml
-from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.running.arrays import flatten, load_arrays, nest, save_arrays
 from tutorstudent.core.running.observers import Begin
 from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.words import actions
@@ -72,24 +72,24 @@ KEYS = ["a", "a/b", "a%2Fb", "%", "file", "allow_pickle", "x", "x.npy", "", "ä 
 def test_learned_state_survives_under_any_keys(tmp_path: Path) -> None:
     state: dict[str, Any] = {key: float(i) for i, key in enumerate(KEYS)}
     state["a"] = {"b": {key: i for i, key in enumerate(KEYS)}, "/": "word"}
-    save_arrays(tmp_path / "learned.npz", flat(state))
-    assert state == nested(load_arrays(tmp_path / "learned.npz"))
+    save_arrays(tmp_path / "learned.npz", flatten(state))
+    assert state == nest(load_arrays(tmp_path / "learned.npz"))
 
 
 def test_no_two_paths_are_one() -> None:
-    assert {"a%2Fb": 1, "a/b": 2} == {path: int(array) for path, array in flat({"a/b": 1, "a": {"b": 2}}).items()}
+    assert {"a%2Fb": 1, "a/b": 2} == {path: int(array) for path, array in flatten({"a/b": 1, "a": {"b": 2}}).items()}
 
 
 def test_a_condition_label_may_hold_a_slash(tmp_path: Path) -> None:
     engine = Pipeline(parse_yaml(PIPELINE, "p.yaml"), toy_registry()).engine()
     state = {**engine.state_dict(), "conditions.near/left": {"count": 3}}
-    save_arrays(tmp_path / "learned.npz", flat(state))
-    assert {"count": 3} == nested(load_arrays(tmp_path / "learned.npz"))["conditions.near/left"]
+    save_arrays(tmp_path / "learned.npz", flatten(state))
+    assert {"count": 3} == nest(load_arrays(tmp_path / "learned.npz"))["conditions.near/left"]
 
 
 def test_a_key_that_is_no_string_is_refused() -> None:
     with pytest.raises(ContractError, match="the key 1 of learned state is no string; use strings."):
-        flat({"student": {1: 2.0, "1": 3.0}})
+        flatten({"student": {1: 2.0, "1": 3.0}})
 
 
 def test_arrays_can_be_read_without_this_package(tmp_path: Path) -> None:

@@ -209,7 +209,7 @@ def test_a_reason_of_several_lines_becomes_one(plugin: Any) -> None:
     misspelt = hook(Pusher)
     misspelt.__name__ = "tutorstudent_component"
     registry = Registry.discover([plugin("bad", tutorstudent_component=misspelt)])
-    assert "\n" not in registry.broken[0].told()
+    assert "\n" not in registry.broken[0].explain()
 
 
 def test_the_allow_list_limits_third_parties_only(plugin: Any, monkeypatch: pytest.MonkeyPatch) -> None:

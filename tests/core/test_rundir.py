@@ -19,7 +19,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles import part as part_module
 from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step
-from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
+from tutorstudent.core.running.arrays import flatten, load_arrays, nest, save_arrays
 from tutorstudent.core.running.observers import Observer
 from tutorstudent.core.words.errors import PipelineError
 
@@ -118,11 +118,11 @@ def test_the_columns_say_what_was_decided() -> None:
 
 def test_what_was_learned_survives_the_file(tmp_path: Path) -> None:
     engine = finished().engine
-    save_arrays(tmp_path / "learned.npz", flat(engine.state_dict()))
+    save_arrays(tmp_path / "learned.npz", flatten(engine.state_dict()))
     other = Pipeline(parse_yaml(PIPELINE, "p.yaml"), REGISTRY).engine()
-    other.load_state_dict(nested(load_arrays(tmp_path / "learned.npz")))
+    other.load_state_dict(nest(load_arrays(tmp_path / "learned.npz")))
     assert 50 == other.decisions
-    ours, theirs = flat(engine.state_dict()), flat(other.state_dict())
+    ours, theirs = flatten(engine.state_dict()), flatten(other.state_dict())
     assert ours.keys() == theirs.keys()
     for path, array in ours.items():
         np.testing.assert_array_equal(array, theirs[path])

@@ -13,7 +13,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
-from tutorstudent.core.running.runner import check_world, run, trial_seed
+from tutorstudent.core.running.runner import check_world, make_trial_seed, run
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.records import Turn
 
@@ -74,7 +74,7 @@ def test_every_decision_is_seen_once_and_in_order() -> None:
 
 
 def test_trials_differ_and_runs_repeat() -> None:
-    starts = {trial_seed(7, trial) for trial in range(50)}
+    starts = {make_trial_seed(7, trial) for trial in range(50)}
     assert 50 == len(starts)
     one, other = ran(40, length_m=2.0)[1], ran(40, length_m=2.0)[1]
     assert [turn.decision.executed for turn, _ in one] == [turn.decision.executed for turn, _ in other]

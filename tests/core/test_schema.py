@@ -12,9 +12,9 @@ import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
 from tutorstudent.core.files.pipeline import KEYS, SLOTS, Pipeline
-from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.schema import pipeline_schema
+from tutorstudent.core.files.schema import make_schema
 from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
 
 ROOT = Path(__file__).parents[2]
@@ -27,7 +27,7 @@ def validate(data: Any, schema: dict[str, Any]) -> None:
 
 @pytest.fixture(scope="module")
 def schema() -> dict[str, Any]:
-    return pipeline_schema(toy_registry())
+    return make_schema(toy_registry())
 
 
 def test_the_schema_is_a_schema(schema: dict[str, Any]) -> None:
@@ -40,7 +40,7 @@ def test_the_schema_knows_the_keys_of_a_pipeline(schema: dict[str, Any]) -> None
 
 @pytest.fixture(scope="module")
 def installed() -> dict[str, Any]:
-    return pipeline_schema(Registry.discover())
+    return make_schema(Registry.discover())
 
 
 def is_pipeline(path: Path) -> bool:
@@ -65,7 +65,7 @@ def needs(distribution: str) -> None:
 def test_a_resolved_pipeline_validates(installed: dict[str, Any]) -> None:
     pipeline = Pipeline.read(ROOT / "examples/prototype2/tutorstudent_prototype2/pipelines/prototype2a.yaml")
     with closing(pipeline.engine()) as engine:
-        described = {slot: plain(getattr(engine, slot).describe(), slot) for slot in SLOTS}
+        described = {slot: make_plain(getattr(engine, slot).describe(), slot) for slot in SLOTS}
     validate(described | {"world": "pioneer"}, installed)
 
 

@@ -15,7 +15,7 @@ import pydantic
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.words.forms import in_type_of
+from tutorstudent.core.words.forms import match_type
 
 SPEED = ts.scalar(-1, 1, name="speed")
 DRIVE = ts.vector(-1, 1, names=["speed", "turn"])
@@ -145,7 +145,7 @@ def test_a_decimal_is_the_short_one() -> None:
 def test_a_whole_number_becomes_a_float_where_it_is_amplified_and_only_there() -> None:
     found = once([3, 0], ts.vector(-10, 10, 2))
     assert ([3.3, 0], [float, int]) == (pytest.approx(found), [type(number) for number in found])
-    assert (3.9, 3) == (in_type_of(3, 3.9), in_type_of(3, 3.0))
+    assert (3.9, 3) == (match_type(3, 3.9), match_type(3, 3.0))
 
 
 def test_what_was_really_executed_is_said_in_the_same_type() -> None:

@@ -19,14 +19,14 @@ def test_values_are_plain() -> None:
 
 def test_every_key_knows_its_place() -> None:
     document = parse_yaml("a: 1\nstudent:\n  use: x\n  list:\n  - one\n  - two\n", "f.yaml")
-    assert "f.yaml:3:3: student.use" == document.where(("student", "use"))
-    assert "f.yaml:6:5: student.list.1" == document.where(("student", "list", 1))
+    assert "f.yaml:3:3: student.use" == document.locate(("student", "use"))
+    assert "f.yaml:6:5: student.list.1" == document.locate(("student", "list", 1))
 
 
 def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
     document = parse_yaml("a: 1\nstudent:\n  use: x\n", "f.yaml")
-    assert "f.yaml:2:1: student.hidden" == document.where(("student", "hidden"))
-    assert "f.yaml: world" == document.where(("world",))
+    assert "f.yaml:2:1: student.hidden" == document.locate(("student", "hidden"))
+    assert "f.yaml: world" == document.locate(("world",))
 
 
 @pytest.mark.parametrize(
@@ -163,8 +163,8 @@ def test_no_number_stays_one() -> None:
 def test_merged_keys_have_the_place_where_they_stand() -> None:
     document = parse_yaml("base: &base {x: 1, y: 2}\nc:\n  <<: *base\n  y: 3\n", "f.yaml")
     assert {"x": 1, "y": 3} == document.data["c"]
-    assert "f.yaml:1:14: c.x" == document.where(("c", "x"))
-    assert "f.yaml:4:3: c.y" == document.where(("c", "y"))
+    assert "f.yaml:1:14: c.x" == document.locate(("c", "x"))
+    assert "f.yaml:4:3: c.y" == document.locate(("c", "y"))
     assert {"w": 2, "q": 1} == parse_yaml("<<: {q: 1}\nw: 2\n", "f.yaml").data
 
 
@@ -172,20 +172,20 @@ def test_the_first_of_several_merged_mappings_wins() -> None:
     text = "a: &a {x: 1}\nb: &b {x: 2, y: 2}\nc: {<<: [*a, *b]}\n"
     document = parse_yaml(text, "f.yaml")
     assert {"x": 1, "y": 2} == document.data["c"]
-    assert "f.yaml:1:8: c.x" == document.where(("c", "x"))
+    assert "f.yaml:1:8: c.x" == document.locate(("c", "x"))
 
 
 def test_what_was_set_from_elsewhere_stands_nowhere_and_is_named() -> None:
     document = parse_yaml("a: {b: {c: 1, d: 2}}\ne: 3\n", "f.yaml")
-    changed = document.replaced(("a", "b", "c"), {}, "a.b.c=7")
-    assert "f.yaml (with a.b.c=7): a.b.c" == changed.where(("a", "b", "c"))
-    assert "f.yaml:1:5 (with a.b.c=7): a.b" == changed.where(("a", "b"))
-    assert "f.yaml:1:15: a.b.d" == changed.where(("a", "b", "d"))
-    assert "f.yaml:2:1: e" == changed.where(("e",))
-    assert "f.yaml (with a.b.c=7)" == changed.where(())
-    again = changed.replaced(("a",), {}, "a=8").replaced(("a", "b"), {}, "a.b=9")
-    assert "f.yaml (with a=8, a.b=9): a.b.d" == again.where(("a", "b", "d"))
-    assert "f.yaml (with a=8): a.x" == again.where(("a", "x"))
+    changed = document.replace(("a", "b", "c"), {}, "a.b.c=7")
+    assert "f.yaml (with a.b.c=7): a.b.c" == changed.locate(("a", "b", "c"))
+    assert "f.yaml:1:5 (with a.b.c=7): a.b" == changed.locate(("a", "b"))
+    assert "f.yaml:1:15: a.b.d" == changed.locate(("a", "b", "d"))
+    assert "f.yaml:2:1: e" == changed.locate(("e",))
+    assert "f.yaml (with a.b.c=7)" == changed.locate(())
+    again = changed.replace(("a",), {}, "a=8").replace(("a", "b"), {}, "a.b=9")
+    assert "f.yaml (with a=8, a.b=9): a.b.d" == again.locate(("a", "b", "d"))
+    assert "f.yaml (with a=8): a.x" == again.locate(("a", "x"))
 
 
 def test_a_missing_file_says_so(tmp_path: Path) -> None:

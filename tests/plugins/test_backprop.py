@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.roles.binding import Binding, stream
+from tutorstudent.core.roles.binding import Binding, make_stream
 from tutorstudent.core.words.records import Lesson, Moment, Outcome
 from tutorstudent.plugins import backprop
 from tutorstudent.plugins.backprop import BackpropStudent, Network
@@ -114,7 +114,7 @@ def test_it_proposes_what_a_network_with_the_slot_s_random_stream_says() -> None
     student, codec = student_of(), KindLevelAmpbit()
     codec.bind(Binding(seed=1, slot="x", action=DriveAction))
     network = Network(14, 30, 7, learning_rate=0.3, momentum=0.9)
-    network.randomize(stream(7, "student"), 0.1)
+    network.randomize(make_stream(7, "student"), 0.1)
     for number in range(60):
         about = moment(number, bits(number % 9))
         assert codec.decode(network.forward(about.state)) == student.propose(about)

@@ -15,7 +15,7 @@ from sklearn.base import BaseEstimator, RegressorMixin
 
 import tutorstudent as ts
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.running.arrays import flat, nested
+from tutorstudent.core.running.arrays import flatten, nest
 from tutorstudent.core.words.records import Lesson, Moment, Outcome
 from tutorstudent.plugins import sklearn_student
 from tutorstudent.plugins.codecs import KindLevelAmpbit
@@ -92,14 +92,14 @@ def taught(student: AnyStudent, lessons: int = 12, first: int = 0) -> AnyStudent
 def saved(student: AnyStudent) -> dict[str, Any]:
     """What was learned, as it would come back from a file."""
     stored = io.BytesIO()
-    np.savez(stored, allow_pickle=False, **flat(student.state_dict()))
+    np.savez(stored, allow_pickle=False, **flatten(student.state_dict()))
     stored.seek(0)
     with np.load(stored, allow_pickle=False) as arrays:
-        return nested(dict(arrays.items()))
+        return nest(dict(arrays.items()))
 
 
 def numbers(student: AnyStudent) -> dict[str, bytes]:
-    return {name: array.tobytes() for name, array in flat(student.state_dict()).items()}
+    return {name: array.tobytes() for name, array in flatten(student.state_dict()).items()}
 
 
 @pytest.mark.parametrize("estimator", [MLP, SGD, BACKPROP])
@@ -173,15 +173,15 @@ def test_a_student_that_was_taught_nothing_has_nothing_to_save_and_can_be_emptie
 def test_a_state_dict_is_a_copy() -> None:
     student = taught(student_of(MLP))
     before = numbers(student)
-    for array in flat(student.state_dict()).values():
+    for array in flatten(student.state_dict()).values():
         array.fill(0) if array.ndim and array.dtype.kind == "f" else None
     assert before == numbers(student)
 
 
 def changed(path: str, value: Any, estimator: str = MLP) -> dict[str, Any]:
-    arrays: dict[str, Any] = flat(taught(student_of(estimator)).state_dict())
+    arrays: dict[str, Any] = flatten(taught(student_of(estimator)).state_dict())
     arrays[path] = np.asarray(value)
-    return nested(arrays)
+    return nest(arrays)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import numpy as np
 
 import tutorstudent as ts
 from tutorstudent.core.running.observers import Entries
-from tutorstudent.core.running.runner import trial_seed
+from tutorstudent.core.running.runner import make_trial_seed
 from tutorstudent.sims.pioneer.types import DriveAction
 
 LENGTHS_M = {"short": 3.0, "long": 6.0}
@@ -39,7 +39,7 @@ class Corridor(ts.World[Place, DriveAction]):
         trial: int = ts.Field(40, description="length of a trial, decisions")
 
     def reset(self, seed: int) -> Place:
-        if self.options.fails_with_seed is not None and seed == trial_seed(self.options.fails_with_seed, 0):
+        if self.options.fails_with_seed is not None and seed == make_trial_seed(self.options.fails_with_seed, 0):
             raise RuntimeError("the wall fell down")
         self._noise = np.random.default_rng(seed)
         self._place, self._age, self._stuck = Place(1.0 + float(self._noise.random()), False), 0, False

@@ -7,37 +7,37 @@ import itertools
 import numpy as np
 import pytest
 
-from tutorstudent.study.numbers.curves import binned, covers, edges, middles
+from tutorstudent.study.numbers.curves import average_bins, describe_point, make_edges, make_middles
 
 
 @pytest.mark.parametrize(
     ("decisions", "bins"), [(1, 1), (3, 3), (10, 10), (60, 10), (4_999, 10), (5_000, 5), (10_000, 10), (10_999, 10)]
 )
 def test_a_run_has_as_many_bins_as_thousands_and_a_short_one_has_ten(decisions: int, bins: int) -> None:
-    ends = edges(decisions)
+    ends = make_edges(decisions)
     assert (0, decisions) == (ends[0], ends[-1])
     assert bins == len(ends) - 1
     assert np.ptp(np.diff(ends)) <= 1
-    assert bins == len(middles(decisions))
+    assert bins == len(make_middles(decisions))
 
 
 def test_ten_thousand_decisions_are_cut_at_the_thousands() -> None:
-    assert list(range(0, 10_001, 1_000)) == edges(10_000).tolist()
-    assert list(range(500, 10_000, 1_000)) == middles(10_000).tolist()
+    assert list(range(0, 10_001, 1_000)) == make_edges(10_000).tolist()
+    assert list(range(500, 10_000, 1_000)) == make_middles(10_000).tolist()
 
 
 @pytest.mark.parametrize("decisions", [1, 7, 23, 60, 5_001, 10_500])
 def test_a_bin_is_the_mean_of_its_decisions(decisions: int) -> None:
     values = np.random.default_rng(3).random(decisions)
-    ends = edges(decisions)
+    ends = make_edges(decisions)
     expected = [values[begin:end].mean() for begin, end in itertools.pairwise(ends)]
-    np.testing.assert_allclose(expected, binned(values))
+    np.testing.assert_allclose(expected, average_bins(values))
 
 
 def test_rates_times_widths_add_up_to_the_total() -> None:
     happened = np.random.default_rng(4).random(10_777) < 0.01
-    rates = 1_000 * binned(happened.astype(float))
-    assert happened.sum() == pytest.approx(np.sum(rates * np.diff(edges(10_777))) / 1_000)
+    rates = 1_000 * average_bins(happened.astype(float))
+    assert happened.sum() == pytest.approx(np.sum(rates * np.diff(make_edges(10_777))) / 1_000)
 
 
 @pytest.mark.parametrize(
@@ -53,4 +53,4 @@ def test_rates_times_widths_add_up_to_the_total() -> None:
     ],
 )
 def test_the_width_of_a_bin_is_said(decisions: int, words: str) -> None:
-    assert words == covers(decisions)
+    assert words == describe_point(decisions)

@@ -116,7 +116,7 @@ def test_what_could_not_be_saved_is_told_and_is_no_failure(
     def forget(_: object) -> None:
         raise RuntimeError("it slipped my mind")
 
-    monkeypatch.setattr("tutorstudent.core.files.rundir.flat", forget)
+    monkeypatch.setattr("tutorstudent.core.files.rundir.flatten", forget)
     result = call(files["alone"], "--runs", 1, "--decisions", 5, "--out", tmp_path / "out")
     assert 0 == result.exit_code, result.output
     told = " ".join(result.output.split())

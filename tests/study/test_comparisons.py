@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.study.made import made
-from tutorstudent.study.numbers.comparisons import Family, families, to_the_controls, to_the_tutor
+from tutorstudent.study.numbers.comparisons import Family, make_families, pair_with_controls, pair_with_tutor
 from tutorstudent.study.numbers.significance import holm
 from tutorstudent.study.runs.results import Study
 
@@ -35,16 +35,16 @@ def study() -> Study:
 
 
 def family(study: Study, title: str) -> Family:
-    return next(item for item in families(study) if item.title == title)
+    return next(item for item in make_families(study) if item.title == title)
 
 
 def test_everything_is_held_against_the_tutor_alone_and_learners_against_controls(study: Study) -> None:
     environment = study.plan.environments[0]
     assert [("2A", "alone"), ("ramp", "alone"), ("blind", "alone")] == [
-        (contest.variant.name, contest.against) for contest in to_the_tutor(environment)
+        (contest.variant.name, contest.against) for contest in pair_with_tutor(environment)
     ]
     assert [("2A", "ramp"), ("2A", "blind")] == [
-        (contest.variant.name, contest.against) for contest in to_the_controls(environment)
+        (contest.variant.name, contest.against) for contest in pair_with_controls(environment)
     ]
 
 
@@ -52,8 +52,8 @@ def test_a_tutor_alone_that_is_a_control_is_held_against_once(study: Study) -> N
     environment = study.plan.environments[0]
     alone, *others = environment.variants
     as_control = environment._replace(variants=(*others, alone._replace(control=True)))
-    assert ["ramp", "blind"] == [contest.against for contest in to_the_controls(as_control)]
-    assert 3 == len(to_the_tutor(as_control))
+    assert ["ramp", "blind"] == [contest.against for contest in pair_with_controls(as_control)]
+    assert 3 == len(pair_with_tutor(as_control))
 
 
 def test_there_are_four_families(study: Study) -> None:
@@ -62,7 +62,7 @@ def test_there_are_four_families(study: Study) -> None:
         "Differences to the tutor alone: what it cost",
         "Differences to the controls: what was found",
         "Differences to the controls: what it cost",
-    ] == [item.title for item in families(study)]
+    ] == [item.title for item in make_families(study)]
 
 
 def test_a_comparison_is_of_counts_and_of_rates_by_way(study: Study) -> None:
@@ -112,13 +112,13 @@ def test_without_a_tutor_alone_and_without_controls_nothing_is_compared(study: S
     environment = study.plan.environments[0]
     learners = tuple(variant for variant in environment.variants if not variant.control)
     bare = environment._replace(variants=learners, reference="")
-    assert [] == families(study._replace(plan=study.plan._replace(environments=(bare,))))
+    assert [] == make_families(study._replace(plan=study.plan._replace(environments=(bare,))))
 
 
 def test_a_world_without_way_is_compared_by_counts_only(study: Study) -> None:
     for run in study.runs:
         del run.summary["distance_m"]
-    measures = {item.measure.title for found in families(study) for item in found.comparisons}
+    measures = {item.measure.title for found in make_families(study) for item in found.comparisons}
     assert {"attractors", "collided decisions"} == measures
 
 
@@ -128,8 +128,8 @@ def test_runs_of_other_seeds_are_not_compared(study: Study) -> None:
     assert {1} == {item.difference.pairs for item in found}
     assert {None} == {item.p for item in found}
     elsewhere = tuple(run if run.variant == "alone" else run._replace(seed=run.seed + 9) for run in study.runs)
-    assert [] == [f for f in families(study._replace(runs=elsewhere)) if "tutor" in f.title]
+    assert [] == [f for f in make_families(study._replace(runs=elsewhere)) if "tutor" in f.title]
 
 
 def test_a_study_of_which_nothing_ran_has_nothing_to_compare(study: Study) -> None:
-    assert [] == families(study._replace(runs=()))
+    assert [] == make_families(study._replace(runs=()))

@@ -104,7 +104,7 @@ def forget(_: object) -> None:
 def test_a_job_that_cannot_save_what_it_learned_has_not_failed_and_says_so(
     files: dict[str, Path], registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tutorstudent.core.files.rundir.flat", forget)
+    monkeypatch.setattr("tutorstudent.core.files.rundir.flatten", forget)
     plan = plan_of(files["full"], registry, runs=1)
     (first, *_) = finished = list(run_jobs(plan.jobs(), tmp_path, 1))
     assert {""} == {item.problem for item in finished}

@@ -7,9 +7,9 @@ import re
 import pytest
 
 from tests.study.test_tables import study
-from tutorstudent.study.tables.latex import document, escaped, latex
+from tutorstudent.study.tables.latex import escape, make_document, make_latex
 from tutorstudent.study.tables.table import Row, Table
-from tutorstudent.study.tables.tables import tables
+from tutorstudent.study.tables.tables import make_tables
 
 SPECIAL = "\\ { } $ & # ^ _ ~ % < > | \" ' ` [ ] ± é"
 HOSTILE = Table(
@@ -69,8 +69,8 @@ def rows(text: str) -> list[str]:
 
 
 def test_a_whole_study_is_sound_latex() -> None:
-    made = tables(study(), study().plan.environments[0])
-    text = document([("cave", made)])
+    made = make_tables(study(), study().plan.environments[0])
+    text = make_document([("cave", made)])
     check(body(text))
     assert len(made) == text.count("\\begin{table}") == text.count("\\toprule") == text.count("\\bottomrule")
     assert "25.0 $\\pm$ 5.0 (25; IQM 25.0)" in text
@@ -79,13 +79,13 @@ def test_a_whole_study_is_sound_latex() -> None:
 
 
 def test_the_preamble_is_closed_where_it_was_opened() -> None:
-    preamble = document([]).partition("\\begin{document}")[0]
+    preamble = make_document([]).partition("\\begin{document}")[0]
     assert preamble.count("{") == preamble.count("}")
     assert preamble.count("[") == preamble.count("]")
 
 
 def test_hostile_names_stay_text() -> None:
-    text = document([(r"\end{document}$", [HOSTILE])])
+    text = make_document([(r"\end{document}$", [HOSTILE])])
     check(body(text))
     assert "\\textbackslash{}input\\{/etc/passwd\\} 100 \\% \\& more" in text
     assert "\\textit{{[}3cm{]}}" in text
@@ -93,9 +93,9 @@ def test_hostile_names_stay_text() -> None:
     assert 1 == text.count("\\end{document}")
 
 
-@pytest.mark.parametrize("table", [HOSTILE, *tables(study(), study().plan.environments[0])])
+@pytest.mark.parametrize("table", [HOSTILE, *make_tables(study(), study().plan.environments[0])])
 def test_every_row_has_as_many_cells_as_there_are_columns(table: Table) -> None:
-    text = latex(table)
+    text = make_latex(table)
     columns = re.search(r"\\begin\{tabular\}\{([lr]+)\}", text)
     assert columns is not None
     assert 1 + len(table.header) == len(columns[1])
@@ -105,13 +105,13 @@ def test_every_row_has_as_many_cells_as_there_are_columns(table: Table) -> None:
 
 
 def test_no_row_begins_with_what_a_line_end_takes_for_an_option() -> None:
-    assert not re.search(r"\\\\\s*[\[*]", latex(HOSTILE))
+    assert not re.search(r"\\\\\s*[\[*]", make_latex(HOSTILE))
 
 
 def test_every_special_character_has_a_meaning() -> None:
-    check(escaped(SPECIAL))
-    assert r"\textbackslash{}" == escaped("\\")
-    assert "a\\_b" == escaped("a_b")
+    check(escape(SPECIAL))
+    assert r"\textbackslash{}" == escape("\\")
+    assert "a\\_b" == escape("a_b")
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def test_every_special_character_has_a_meaning() -> None:
     ],
 )
 def test_minus_signs_hyphens_and_what_the_fonts_lack(text: str, expected: str) -> None:
-    assert expected == escaped(text)
+    assert expected == escape(text)
 
 
 def test_the_check_itself_finds_what_latex_would() -> None:

@@ -11,9 +11,9 @@ import pytest
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.study.numbers.traces import Measures, Trace, Traces
-from tutorstudent.study.pictures.galleries import harm_gallery, way_gallery
-from tutorstudent.study.pictures.harms import harm_map, harms
-from tutorstudent.study.pictures.maps import way_map, way_pieces
+from tutorstudent.study.pictures.galleries import make_harm_gallery, make_way_gallery
+from tutorstudent.study.pictures.harms import draw_harm_map, find_harms
+from tutorstudent.study.pictures.maps import draw_way_map, split_way
 from tutorstudent.study.pictures.palette import Palette
 from tutorstudent.study.plans.plan import Environment, Variant
 
@@ -39,7 +39,7 @@ def drive(decisions: int = 4) -> Arrays:
 
 
 def test_harm_is_that_of_all_runs() -> None:
-    found = harms([trace(3, 1), trace(0, 0), trace(4, 2)])
+    found = find_harms([trace(3, 1), trace(0, 0), trace(4, 2)])
     assert found is not None
     assert (7, 2) == found.harmed.shape
     assert (3, 2) == found.contacts.shape
@@ -47,22 +47,22 @@ def test_harm_is_that_of_all_runs() -> None:
 
 
 def test_contacts_are_missing_where_the_world_counts_none() -> None:
-    found = harms([trace(3, None)])
+    found = find_harms([trace(3, None)])
     assert found is not None
     assert (0, 2) == found.contacts.shape
 
 
 def test_a_world_without_places_or_drawing_has_no_map_of_harm() -> None:
     nowhere = Trace(0, 100, None, {}, {}, None, None)
-    assert harms([nowhere]) is None
-    assert harms([]) is None
-    assert harm_map("a", SKETCH, [nowhere], None, PALETTE) is None
-    assert harm_map("a", Sketch(), [trace(1, 1)], None, PALETTE) is None
+    assert find_harms([nowhere]) is None
+    assert find_harms([]) is None
+    assert draw_harm_map("a", SKETCH, [nowhere], None, PALETTE) is None
+    assert draw_harm_map("a", Sketch(), [trace(1, 1)], None, PALETTE) is None
 
 
 @pytest.mark.parametrize("count", [0, 1, 30, 5_000])
 def test_a_map_is_well_formed_and_says_how_much_it_shows(count: int) -> None:
-    drawn = harm_map(NASTY, SKETCH, [trace(count, count // 2), trace(2, 1)], drive(), PALETTE)
+    drawn = draw_harm_map(NASTY, SKETCH, [trace(count, count // 2), trace(2, 1)], drive(), PALETTE)
     assert drawn is not None
     root = ET.fromstring(drawn)
     words = f"Map of where {NASTY} was harmed, all 2 runs: {count + 2} decisions, {count // 2 + 1} contacts."
@@ -72,7 +72,7 @@ def test_a_map_is_well_formed_and_says_how_much_it_shows(count: int) -> None:
 
 def test_a_way_has_a_gap_where_a_trial_ended() -> None:
     points = np.arange(8.0).reshape(4, 2)
-    pieces = way_pieces(points, drive())
+    pieces = split_way(points, drive())
     assert [False, False, True, False, False] == np.isnan(pieces[:, 0]).tolist()
     np.testing.assert_array_equal(points, pieces[~np.isnan(pieces[:, 0])])
 
@@ -82,24 +82,24 @@ def test_every_variant_has_a_map_of_harm_and_no_control_a_map_of_its_way() -> No
     environment = Environment("room", variants, NASTY)
     names = [variant.name for variant in variants]
     found = Traces(Measures({}, "collided"), {n: [trace(2, 1)] for n in names}, {n: drive() for n in names})
-    harmed = harm_gallery(found, SKETCH, PALETTE)
+    harmed = make_harm_gallery(found, SKETCH, PALETTE)
     assert ["b", "a", NASTY] == [_named(figure) for figure in harmed.figures]
     assert "Every collided decision of all runs is a dot" in harmed.note
     assert "a ring where a contact began" in harmed.note
-    ways = way_gallery(environment, found, SKETCH, 5, PALETTE)
+    ways = make_way_gallery(environment, found, SKETCH, 5, PALETTE)
     assert [NASTY, "a"] == [_named(figure) for figure in ways.figures]
     assert "seed 5" in ways.note
 
 
 def test_where_the_world_knows_no_collisions_violations_are_shown() -> None:
     found = Traces(Measures({}, "violated"), {"a": [trace(2, None)]}, {})
-    shown = harm_gallery(found, SKETCH, PALETTE)
+    shown = make_harm_gallery(found, SKETCH, PALETTE)
     assert "Where conditions were violated" == shown.title
     assert "ring" not in shown.note
 
 
 def test_a_run_of_one_decision_has_a_map() -> None:
-    assert way_map("a", SKETCH, drive(1), PALETTE) is not None
+    assert draw_way_map("a", SKETCH, drive(1), PALETTE) is not None
 
 
 def _named(figure: str) -> str:

@@ -12,12 +12,12 @@ import pytest
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.world import Sketch
-from tutorstudent.study.page.head import head_html
-from tutorstudent.study.page.page import page
+from tutorstudent.study.page.head import make_head
+from tutorstudent.study.page.page import make_page
 from tutorstudent.study.page.report import write_report
-from tutorstudent.study.pictures.maps import _way, level_scale, way_map
+from tutorstudent.study.pictures.maps import _make_way, draw_way_map, list_level_colours
 from tutorstudent.study.pictures.palette import Palette
-from tutorstudent.study.pictures.strips import strip
+from tutorstudent.study.pictures.strips import draw_strip
 from tutorstudent.study.plans.constant_level import Level, Searched
 from tutorstudent.study.plans.plan import Plan, Variant
 from tutorstudent.study.plans.planning import make_plan
@@ -27,8 +27,8 @@ from tutorstudent.study.runs.results import Study
 from tutorstudent.study.runs.sketches import load_sketch, save_sketch
 from tutorstudent.study.runs.timing import Spent, save_timing
 from tutorstudent.study.studies import begin
-from tutorstudent.study.tables.media import html
-from tutorstudent.study.tables.search_table import TITLE, level_colours_by_name, search_table
+from tutorstudent.study.tables.media import make_html
+from tutorstudent.study.tables.search_table import TITLE, colour_levels, make_search_table
 from tutorstudent.study.tables.tables import CONTROLS
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
@@ -149,17 +149,17 @@ def test_runs_that_failed_are_told(study: Study, text: str) -> None:
 
 def test_what_the_runs_took_is_said_where_every_one_was_timed(first: Study, tmp_path: Path) -> None:
     palette = Palette(first.plan.variants())
-    assert "CPU seconds" not in head_html(first._replace(folder=tmp_path), "x", palette)
+    assert "CPU seconds" not in make_head(first._replace(folder=tmp_path), "x", palette)
     runs = [run._replace(folder=tmp_path / str(i)) for i, run in enumerate(first.runs[:2])]
     for run in runs:
         run.folder.mkdir()
     (tmp_path / "sittings.json").write_text('[{"wall_s": 600.4}, {"wall_s": 1000.0}]')
     save_timing(runs[0].folder, Spent(900.0, 700.0))
     partly = first._replace(folder=tmp_path, runs=tuple(runs))
-    assert "CPU seconds" not in head_html(partly, "x", palette)
+    assert "CPU seconds" not in make_head(partly, "x", palette)
     save_timing(runs[1].folder, Spent(900.0, 800.6))
     told = "They took 1,501 CPU seconds, 1,600 seconds of wall time in 2 sittings on the machine that ran them."
-    assert told in head_html(partly, "x", palette)
+    assert told in make_head(partly, "x", palette)
 
 
 def test_the_search_is_a_table_where_there_was_one() -> None:
@@ -169,7 +169,7 @@ def test_the_search_is_a_table_where_there_was_one() -> None:
         Level("cave", 8, 0, None, None),
     )
     searched = Searched("attractors", 0.001, (1_000_000, 1_000_001), levels)
-    table = search_table(searched, "cave")
+    table = make_search_table(searched, "cave")
     assert [
         ("level 0, the tutor alone", "2", "30.0", "0.04%", ""),
         ("level 3", "2", "41.5", "0.09%", "chosen"),
@@ -177,15 +177,15 @@ def test_the_search_is_a_table_where_there_was_one() -> None:
     ] == [(row.name, *row.cells) for row in table.rows]
     assert "(seeds 1000000, 1000001)" in table.note
     assert "at most 0.10% of decisions" in table.note
-    assert () == search_table(searched, "elsewhere").rows
-    Outline(html(table, level_colours_by_name()))
+    assert () == make_search_table(searched, "elsewhere").rows
+    Outline(make_html(table, colour_levels()))
 
 
 def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> None:
     name = first.plan.environments[0].name
-    assert TITLE not in page(first._replace(runs=()))
+    assert TITLE not in make_page(first._replace(runs=()))
     searched = Searched("turns", 0.001, (9,), (Level(name, 0, 1, 3.0, 0.0), Level(name, 5, 1, 4.0, 0.0, chosen=True)))
-    shown = section_of(page(first._replace(runs=(), search=searched)), name)
+    shown = section_of(make_page(first._replace(runs=(), search=searched)), name)
     assert TITLE in shown
     assert ">level 5</th>" in shown
 
@@ -205,7 +205,7 @@ def test_the_page_says_what_a_control_is_and_that_speed_finds_more(text: str) ->
 def test_a_variant_has_one_colour_everywhere(study: Study, text: str) -> None:
     palette = Palette(study.plan.variants())
     for variant in study.plan.variants():
-        colour = palette.css(variant.name)
+        colour = palette.find_css(variant.name)
         for found in re.findall(rf'background:([^"]*)"></i>{variant.name}<', text):
             assert colour == found
         for panel in re.findall(rf"<svg[^>]*over decisions, {variant.name}\. .*?</svg>", text, re.DOTALL):
@@ -227,12 +227,12 @@ def test_no_two_of_ten_variants_share_a_colour() -> None:
     variants = [Variant(str(i), "", i > 4, {}, {}) for i in range(10)]
     palette = Palette(variants)
     for ground in (0, 1):
-        colours = re.findall(r"#[0-9a-f]{6}", palette.declarations(ground))
+        colours = re.findall(r"#[0-9a-f]{6}", palette.make_declarations(ground))
         assert 10 == len(set(colours))
 
 
 def test_a_report_can_be_made_again_to_the_last_byte(study: Study, text: str) -> None:
-    assert text == page(study)
+    assert text == make_page(study)
 
 
 def test_the_markdown_has_the_tables_of_every_environment(study: Study) -> None:
@@ -248,7 +248,7 @@ def test_without_controls_the_page_says_what_it_does_not_show(first: Study) -> N
     environment = first.plan.environments[0]
     given = tuple(variant for variant in environment.variants if not variant.control)
     bare = Plan((environment._replace(variants=given),), first.plan.seeds, first.plan.decisions)
-    shown = page(first._replace(plan=bare))
+    shown = make_page(first._replace(plan=bare))
     assert "made without controls" in shown
     assert CONTROLS not in shown
 
@@ -259,13 +259,13 @@ def test_hostile_names_stay_text(first: Study) -> None:
     variants = tuple(variant._replace(about=nasty) for variant in environment.variants)
     plan = first.plan._replace(environments=(environment._replace(variants=variants),))
     failures = (first.failures[0]._replace(problem=nasty),)
-    shown = page(first._replace(plan=plan, failures=failures, runs=()))
+    shown = make_page(first._replace(plan=plan, failures=failures, runs=()))
     assert "<script" not in shown
     assert "&lt;script&gt;" in shown
 
 
 def test_a_study_of_which_nothing_ran_still_has_a_page(first: Study) -> None:
-    Outline(page(first._replace(runs=())))
+    Outline(make_page(first._replace(runs=())))
 
 
 SKETCH = Sketch([([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)], "grey")], [((1.0, 0.5), 0.2, "red")], [(0.1, 0.2, 3.0, "x")])
@@ -282,22 +282,22 @@ def test_a_sketch_can_be_read_again(tmp_path: Path) -> None:
 def test_a_way_breaks_where_a_trial_ends_and_only_there() -> None:
     events = np.column_stack([np.arange(5.0), np.zeros(5)])
     arrays = {"resulting_level": np.array([1, 2, 3, 4, 5]), "trial_ended": np.array([0, 0, 1, 0, 0])}
-    way = _way(events, arrays)
+    way = _make_way(events, arrays)
     assert [(0.0, 1.0), (1.0, 2.0), (3.0, 4.0)] == [(path[0][0], path[1][0]) for path in way.get_segments()]
     assert [2, 3, 5] == np.asarray(way.get_array()).tolist()
 
 
 def test_a_world_without_places_has_no_map() -> None:
     arrays = {"event_names": np.array(["collided"]), "events": np.zeros((3, 1))}
-    assert way_map("x", SKETCH, arrays, Palette([Variant("x", "", False, {}, {})])) is None
+    assert draw_way_map("x", SKETCH, arrays, Palette([Variant("x", "", False, {}, {})])) is None
 
 
 def test_levels_have_nine_colours() -> None:
-    assert 9 == len(set(level_scale()))
+    assert 9 == len(set(list_level_colours()))
 
 
 @pytest.mark.parametrize("numbers", [[], [0.0], [1.0] * 10, [0.0, 0.0, 5000.0], [float(i) for i in range(9)]])
 def test_a_strip_shows_any_numbers(numbers: list[float]) -> None:
-    drawn = strip("hits", {"x": numbers}, Palette([Variant("x", "", False, {}, {})]))
+    drawn = draw_strip("hits", {"x": numbers}, Palette([Variant("x", "", False, {}, {})]))
     assert len(numbers) == len(re.findall(r"<use [^>]*var\(--v0\)", drawn))
     assert (max(numbers, default=0.0) == 5000.0) == ("logarithmic beyond 10" in drawn)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tutorstudent.study.numbers.pairs import Pairs, paired
+from tutorstudent.study.numbers.pairs import Pairs, make_pairs
 
 
 def pairs(ours: list[float], theirs: list[float]) -> Pairs:
@@ -13,14 +13,14 @@ def pairs(ours: list[float], theirs: list[float]) -> Pairs:
 
 
 def test_only_seeds_that_both_have_are_paired_whatever_their_order() -> None:
-    found = paired({9: 100.0, 1: 7.0, 0: 5.0}, {0: 4.0, 8: 0.0, 1: 6.5})
+    found = make_pairs({9: 100.0, 1: 7.0, 0: 5.0}, {0: 4.0, 8: 0.0, 1: 6.5})
     assert Pairs((0, 1), (5.0, 7.0), (4.0, 6.5)) == found
     assert (1.0, 0.5) == found.differences
 
 
 def test_without_a_common_seed_there_is_no_pair() -> None:
-    assert paired({0: 1.0}, {1: 1.0}) is None
-    assert paired({}, {}) is None
+    assert make_pairs({0: 1.0}, {1: 1.0}) is None
+    assert make_pairs({}, {}) is None
 
 
 def test_one_pair_has_a_difference_and_nothing_else() -> None:

@@ -9,9 +9,9 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tutorstudent.study.pictures.charts import Chart, across, upward
+from tutorstudent.study.pictures.charts import Chart, make_decision_axis, make_value_axis
 from tutorstudent.study.pictures.palette import Palette
-from tutorstudent.study.pictures.panels import Bundle, panels
+from tutorstudent.study.pictures.panels import Bundle, draw_panels
 from tutorstudent.study.plans.plan import Variant
 
 NASTY = '<i>"&x'
@@ -33,14 +33,14 @@ def points(path: str) -> list[tuple[float, float]]:
 
 
 def test_every_run_is_a_line_and_their_mean_another() -> None:
-    drawn = panels(bundle(a=[[0, 4, 8], [2, 4, 0]], **{NASTY: [[1, 1, 1]]}), PALETTE)
+    drawn = draw_panels(bundle(a=[[0, 4, 8], [2, 4, 0]], **{NASTY: [[1, 1, 1]]}), PALETTE)
     assert [2, 1] == [len(paths(panel, "run")) for panel in drawn]
     assert [1, 1] == [len(paths(panel, "mean")) for panel in drawn]
     assert [0, 1] == [len(paths(panel, "reference")) for panel in drawn]
 
 
 def test_points_stand_where_the_numbers_are() -> None:
-    [drawn] = panels(bundle(a=[[0, 4, 8], [2, 4, 0]]), PALETTE)
+    [drawn] = draw_panels(bundle(a=[[0, 4, 8], [2, 4, 0]]), PALETTE)
     mean = points(paths(drawn, "mean")[0])
     width, height, limit = 240 - 10 - 28, 170 - 20 - 20, 8 * 1.04
     expected = [(28 + width * x / 3_000, 150 - height * y / limit) for x, y in zip(AT, (1, 4, 4), strict=True)]
@@ -48,7 +48,7 @@ def test_points_stand_where_the_numbers_are() -> None:
 
 
 def test_a_long_scale_is_linear_up_to_ten_and_logarithmic_beyond() -> None:
-    up = upward([0.0, 1.0, 2.0, 1_000.0])
+    up = make_value_axis([0.0, 1.0, 2.0, 1_000.0])
     assert "logarithmic beyond 10" == up.label
     assert [0, 5, 10, 50, 100, 500, 1_000] == [tick for tick, _ in up.ticks]
     shares = up.share(np.array([0.0, 5.0, 10.0, 100.0, 1_000.0, up.limit]))
@@ -59,7 +59,7 @@ def test_a_long_scale_is_linear_up_to_ten_and_logarithmic_beyond() -> None:
 
 @pytest.mark.parametrize("highest", [[], [0.0], [0.4], [8.0, 8.0], [97.0, 90.0], [0.0, 0.0, 83.0]])
 def test_a_scale_begins_at_zero_and_holds_everything(highest: list[float]) -> None:
-    up = upward(highest)
+    up = make_value_axis(highest)
     assert up.limit > max([1.0, *highest])
     assert (0.0, "0") == up.ticks[0]
     assert all(0 <= tick <= up.limit for tick, _ in up.ticks)
@@ -69,23 +69,23 @@ def test_a_scale_begins_at_zero_and_holds_everything(highest: list[float]) -> No
 
 @pytest.mark.parametrize("decisions", [1.0, 2.0, 30.0, 10_000.0, 1e6])
 def test_decisions_are_marked_from_zero_to_the_end(decisions: float) -> None:
-    along = across(decisions)
+    along = make_decision_axis(decisions)
     assert (0.0, "0") == along.ticks[0]
     assert 2 <= len(along.ticks) <= 6
     assert along.ticks[-1][0] <= decisions
 
 
 def test_words_are_escaped_and_the_drawing_says_what_it_shows() -> None:
-    drawn = panels(bundle(**{NASTY: [[1.0, 2.0, 3.0], [1.0, 2.0, 0.5]]}), PALETTE)[0]
+    drawn = draw_panels(bundle(**{NASTY: [[1.0, 2.0, 3.0], [1.0, 2.0, 0.5]]}), PALETTE)[0]
     root = ET.fromstring(drawn)
     assert f"hits over decisions, {NASTY}. In the last bin: 3, 0.5." == root.get("aria-label")
     assert [NASTY] == [text.text for text in root.iter("text") if text.get("class") == "title"]
 
 
 def test_a_variant_without_runs_has_no_panel() -> None:
-    assert 1 == len(panels(bundle(a=[], **{NASTY: [[1, 2, 3]]}), PALETTE))
-    assert [] == panels(bundle(a=[]), PALETTE)
+    assert 1 == len(draw_panels(bundle(a=[], **{NASTY: [[1, 2, 3]]}), PALETTE))
+    assert [] == draw_panels(bundle(a=[]), PALETTE)
 
 
 def test_a_chart_without_curves_is_well_formed() -> None:
-    ET.fromstring(Chart(across(10.0), upward([])).svg("x", "red", "nothing"))
+    ET.fromstring(Chart(make_decision_axis(10.0), make_value_axis([])).make_svg("x", "red", "nothing"))

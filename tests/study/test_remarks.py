@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from tests.study.made import made
-from tutorstudent.study.page.head import head_html
-from tutorstudent.study.page.remarks import OWN_OBSERVER, goal_line, remarks
+from tutorstudent.study.page.head import make_head
+from tutorstudent.study.page.remarks import OWN_OBSERVER, describe_goal, make_remarks
 from tutorstudent.study.pictures.palette import Palette
 from tutorstudent.study.plans.constant_level import Level, Searched
 from tutorstudent.study.plans.controls import CONSTANT
@@ -33,34 +33,34 @@ def searched(goals: Sequence[float]) -> Searched:
 
 def test_there_is_nothing_to_say_of_a_study_where_all_is_well() -> None:
     study = counting(3.0, 4.0)._replace(search=searched([1.0, 2.0, 3.0]))
-    assert [] == remarks(study)
-    assert "The goal, of which more is better: attractors (--goal names another)." == goal_line(study)
-    assert 'class="remark"' not in head_html(study, "x", Palette(study.plan.variants()))
+    assert [] == make_remarks(study)
+    assert "The goal, of which more is better: attractors (--goal names another)." == describe_goal(study)
+    assert 'class="remark"' not in make_head(study, "x", Palette(study.plan.variants()))
 
 
 @pytest.mark.parametrize(("count", "words"), [(1, "1 run was"), (34, "34 runs were")])
 def test_runs_that_wait_are_no_failures_and_it_is_said_how_to_go_on(count: int, words: str) -> None:
     waiting = tuple(Failure("cave", "2A", seed, "") for seed in range(count))
     study = counting(3.0, 4.0)._replace(waiting=waiting, folder=Path("my study"))
-    assert [f"{words} not run yet; go on with: tutorstudent compare --resume --out 'my study'"] == remarks(study)
-    shown = head_html(study, "x", Palette(study.plan.variants()))
+    assert [f"{words} not run yet; go on with: tutorstudent compare --resume --out 'my study'"] == make_remarks(study)
+    shown = make_head(study, "x", Palette(study.plan.variants()))
     assert "tutorstudent compare --resume --out &#x27;my study&#x27;" in shown
     assert "failed" not in shown
 
 
 def test_without_a_goal_the_numbers_that_are_there_are_named() -> None:
     study = uncounted(made({"2A": {"boiled": [1.0], "energy": [2.0], "violated": [0.0], "share:Warm": [0.5]}}))
-    assert "" == goal_line(study)
+    assert "" == describe_goal(study)
     assert [
         (
             "Nothing counts what the tutors achieve; name what does with --goal (there are: boiled, energy), or "
             "count it with an observer of your own (ts.Entries, docs/guide/write-an-observer.md)."
         )
-    ] == remarks(study)
+    ] == make_remarks(study)
 
 
 def test_without_a_goal_and_without_numbers_an_observer_is_what_is_left() -> None:
-    assert [f"Nothing counts what the tutors achieve; {OWN_OBSERVER}."] == remarks(
+    assert [f"Nothing counts what the tutors achieve; {OWN_OBSERVER}."] == make_remarks(
         uncounted(counting(1.0)._replace(runs=()))
     )
 
@@ -70,11 +70,11 @@ def test_a_level_that_nobody_searched_for_is_said_to_stand_in() -> None:
     study = made(numbers, controls=(CONSTANT,))
     assert [
         "No constant level was searched for, as was asked for: constant-4 stands where best-constant would."
-    ] == remarks(study)
+    ] == make_remarks(study)
     assert (
         "No constant level was searched for, since nothing is counted that could be most: constant-4 stands where "
         "best-constant would."
-    ) in remarks(uncounted(study))
+    ) in make_remarks(uncounted(study))
 
 
 def test_a_goal_that_is_the_same_in_every_run_tells_nobody_apart() -> None:
@@ -83,11 +83,11 @@ def test_a_goal_that_is_the_same_in_every_run_tells_nobody_apart() -> None:
             "In cave attractors is 0 in every run, so that it tells nobody apart. It counts how often the tutor enters "
             f"the situation 'Prey Spin'. Take more decisions, name another goal with --goal, or {OWN_OBSERVER}."
         )
-    ] == remarks(counting(0.0, 0.0))
+    ] == make_remarks(counting(0.0, 0.0))
 
 
 def test_one_run_alone_is_not_said_to_be_the_same() -> None:
-    assert [] == remarks(made({"alone": {"attractors": [0.0]}}))
+    assert [] == make_remarks(made({"alone": {"attractors": [0.0]}}))
 
 
 def test_a_search_in_which_all_levels_came_to_the_same_found_nothing() -> None:
@@ -97,4 +97,4 @@ def test_a_search_in_which_all_levels_came_to_the_same_found_nothing() -> None:
             "In the search for the best constant level in cave every level came to the same attractors, 2: level 1 is "
             "the one that violates least, or the lowest of those, and best at nothing."
         )
-    ] == remarks(study)
+    ] == make_remarks(study)

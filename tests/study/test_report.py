@@ -12,7 +12,7 @@ from tests.study.made import made
 from tests.study.test_latex import body, check
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.study.numbers.comparisons import HEADER, families, write_differences
+from tutorstudent.study.numbers.comparisons import HEADER, make_families, write_differences
 from tutorstudent.study.page.report import write_report
 from tutorstudent.study.plans.planning import make_plan
 from tutorstudent.study.plans.requests import Request, read_pipelines
@@ -26,7 +26,7 @@ FILES = {"results.csv", "differences.csv", "table.md", "tables.tex"}
 @pytest.fixture(autouse=True)
 def no_page(monkeypatch: pytest.MonkeyPatch) -> None:
     """The page has tests of its own, and its pictures take their time."""
-    monkeypatch.setattr("tutorstudent.study.page.report.page", lambda study: "")
+    monkeypatch.setattr("tutorstudent.study.page.report.make_page", lambda study: "")
 
 
 @pytest.fixture
@@ -72,7 +72,7 @@ def test_differences_are_tidy(tmp_path: Path) -> None:
             "ramp": {"attractors": [20.0, None, None]},
         }
     )
-    write_differences(tmp_path / "d.csv", families(study))
+    write_differences(tmp_path / "d.csv", make_families(study))
     learner, control, *others = rows(tmp_path / "d.csv")
     assert list(HEADER) == list(learner)
     assert ("cave", "2A", "alone", "attractors", "3", "15.0") == tuple(learner.values())[:6]
@@ -94,7 +94,7 @@ def _number(text: str) -> bool:
 def test_names_with_commas_and_quotes_are_one_field(tmp_path: Path) -> None:
     name = 'a, "b"\nc'
     study = made({"alone": {"attractors": [1.0]}, name: {"attractors": [2.0]}})
-    write_differences(tmp_path / "d.csv", families(study))
+    write_differences(tmp_path / "d.csv", make_families(study))
     assert [name] == [row["variant"] for row in rows(tmp_path / "d.csv")]
 
 

@@ -9,7 +9,7 @@ import pytest
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study.plans.planning import make_plan
-from tutorstudent.study.plans.requests import Request, read_pipelines, read_setting, read_variation, slug
+from tutorstudent.study.plans.requests import Request, make_slug, read_pipelines, read_setting, read_variation
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_a_setting_reaches_into_a_part_that_is_named_by_a_word(files: dict[str, 
 
 @pytest.mark.parametrize("text", ["..", "../..", "/", "", "...", "a/../b", "\x00"])
 def test_a_slug_never_leads_out_of_its_folder(text: str) -> None:
-    name = slug(text)
+    name = make_slug(text)
     assert name
     assert not name.startswith(".")
     assert not set("/\\\x00") & set(name)

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from tests.study.conftest import results
 from tests.study.test_command import app
-from tutorstudent.core.files.durable import alone, remove_partial, whole_folder, write_whole
+from tutorstudent.core.files.durable import lock_folder, remove_partial, replace_folder, write_whole
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Study, load_plan, read_study, run_plan, save_plan
 from tutorstudent.study.runs import jobs as jobs_module
@@ -140,7 +140,10 @@ def test_what_was_not_finished_writing_is_removed(planned: Planned, folder: Path
 
 def test_two_processes_do_not_work_on_one_study(planned: Planned, folder: Path) -> None:
     pytest.importorskip("fcntl")
-    with alone(folder), pytest.raises(PipelineError, match="another process works on this study; wait for it, or end"):
+    with (
+        lock_folder(folder),
+        pytest.raises(PipelineError, match="another process works on this study; wait for it, or end"),
+    ):
         run_plan(planned("alone"), folder)
     assert () == run_plan(planned("alone"), folder).failures
 
@@ -254,11 +257,11 @@ def test_a_plan_with_its_search_can_be_read_again(planned: Planned, folder: Path
 def test_a_folder_takes_its_place_whole_or_not_at_all(folder: Path) -> None:
     place = folder / "deep" / "place"
     for text in ("one", "two"):
-        with whole_folder(place) as partial:
+        with replace_folder(place) as partial:
             (partial / "a").write_text(text)
             assert partial.name.startswith(".place.")
         assert {"a": text} == {path.name: path.read_text() for path in place.iterdir()}
-    with pytest.raises(FileNotFoundError), whole_folder(place) as partial:
+    with pytest.raises(FileNotFoundError), replace_folder(place) as partial:
         (partial / "b" / "c").write_text("three")
     assert ["place"] == [path.name for path in place.parent.iterdir()]
     assert ["a"] == [path.name for path in place.iterdir()]

@@ -14,7 +14,7 @@ from tests.study.conftest import results
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Search, Setting, read_study, run_plan
-from tutorstudent.study.plans.constant_level import BEST, LEVELS, Level, Searched, best, save_searched, settled
+from tutorstudent.study.plans.constant_level import BEST, LEVELS, Level, Searched, find_best, save_searched, settle
 from tutorstudent.study.runs.searching import find_levels
 
 Planned = Callable[..., Plan]
@@ -139,7 +139,7 @@ def test_a_pipeline_with_the_controls_name_is_refused(planned: Planned, files: d
     ],
 )
 def test_the_best_has_most_within_the_limit_or_violates_least(found: list[Level], expected: int | None) -> None:
-    chosen = best(found, limit=0.01, runs=2)
+    chosen = find_best(found, limit=0.01, runs=2)
     assert expected == (chosen and chosen.level)
 
 
@@ -147,7 +147,7 @@ def test_the_best_has_most_within_the_limit_or_violates_least(found: list[Level]
 def test_no_level_within_the_limit_has_more_than_the_best(seed: int) -> None:
     rng = np.random.default_rng(seed)
     found = [level(i, float(rng.integers(5)), float(rng.integers(5)) / 100) for i in range(9)]
-    chosen = best(found, limit=0.02, runs=2)
+    chosen = find_best(found, limit=0.02, runs=2)
     assert chosen is not None
     within = [item for item in found[1:] if item.violated <= 0.02]  # type: ignore[operator]
     if within:
@@ -170,7 +170,7 @@ def test_levels_that_all_came_to_the_same_are_said_to(planned: Planned) -> None:
     assert not same.is_indifferent("elsewhere")
     assert not same._replace(levels=(*same.levels[:8], level(8, 3.0, 0.0))).is_indifferent("short")
     chosen = same._replace(levels=tuple(item._replace(chosen=item.level == 1) for item in same.levels))
-    [control] = [item for item in settled(planned(), chosen).variants() if item.name == BEST]
+    [control] = [item for item in settle(planned(), chosen).variants() if item.name == BEST]
     assert (
         "the one that violates least, or the lowest of those, since all came to the same mean 'turns'" in control.about
     )
@@ -205,7 +205,7 @@ def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart
         *(Level("long", i, 1, float(i), 0.5 - i / 100, chosen=i == 8) for i in range(9)),
     )
     searched = Searched("turns", 0.001, (1_000_000,), levels)
-    made = settled(plan, searched)
+    made = settle(plan, searched)
     found = [item.pipeline["student"]["level"] for place in made.environments for item in place.variants[-1:]]
     assert [3, 8] == found
     [control] = [variant for variant in made.variants() if variant.name == BEST]
@@ -217,12 +217,12 @@ def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart
     )
     assert other.startswith("No learning: level 8 in every decision. A control of full. Of levels ")
     assert "among those with at most 50.00% of decisions violated, in runs of their own (seed 1000000)." in other
-    assert made == settled(made, searched)
+    assert made == settle(made, searched)
 
 
 def test_a_level_that_breaks_the_budget_for_want_of_others_says_so(planned: Planned) -> None:
     levels = tuple(Level("short", i, 1, 1.0, i / 100, chosen=i == 1) for i in range(9))
-    made = settled(planned(), Searched("turns", 0.001, (1_000_000,), levels))
+    made = settle(planned(), Searched("turns", 0.001, (1_000_000,), levels))
     [control] = [variant for variant in made.variants() if variant.name == BEST]
     assert "it is the one that violates least, since none keeps to 0.10% of decisions, in runs" in control.about
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.stats import permutation_test
 
-from tutorstudent.study.numbers.significance import DRAWS, EXACT_UP_TO, fewest_pairs, holm, sign_flip
+from tutorstudent.study.numbers.significance import DRAWS, EXACT_UP_TO, count_fewest_pairs, holm, sign_flip
 
 
 def by_counting(differences: tuple[float, ...]) -> float:
@@ -106,6 +106,6 @@ def test_holm_keeps_the_order_raises_everything_and_stays_a_probability(seed: in
 
 @pytest.mark.parametrize("tests", [1, 2, 16, 64, 400])
 def test_so_many_pairs_it_takes_and_not_one_less(tests: int) -> None:
-    pairs = fewest_pairs(tests)
+    pairs = count_fewest_pairs(tests)
     smallest = [2 / 2**one for one in (pairs - 1, pairs)]
     assert holm([smallest[0]] * tests)[0] > 0.05 >= holm([smallest[1]] * tests)[0]

@@ -10,10 +10,10 @@ from rich.console import Console
 
 from tests.study.made import made
 from tutorstudent.study.runs.results import Failure, Study
-from tutorstudent.study.tables.cells import heavy_tailed, number, probability, typical
-from tutorstudent.study.tables.media import html, markdown, terminal
+from tutorstudent.study.tables.cells import mean_sd_median, mean_sd_median_worst, number, probability
+from tutorstudent.study.tables.media import make_html, make_markdown, make_terminal_table
 from tutorstudent.study.tables.table import Row, Table
-from tutorstudent.study.tables.tables import digest_table, runs_table, tables
+from tutorstudent.study.tables.tables import make_digest_table, make_runs_table, make_tables
 
 FOUND = {"alone": [8.0, 10.0, 12.0], "2A": [20.0, 30.0, 25.0], "ramp": [20.0, 22.0, 18.0]}
 COLLIDED = {"alone": [0.0, 0.0, 0.0], "2A": [4.0, 0.0, 305.0], "ramp": [1.0, 1.0, 1.0]}
@@ -41,7 +41,7 @@ def study(reference: str = "alone", missing: tuple[str, int] | None = None) -> S
 
 
 def titled(study: Study, title: str) -> Table:
-    return next(table for table in tables(study, study.plan.environments[0]) if table.title == title)
+    return next(table for table in make_tables(study, study.plan.environments[0]) if table.title == title)
 
 
 def cell(table: Table, row: str, title: str) -> str:
@@ -59,7 +59,7 @@ def test_the_tables_of_a_whole_study() -> None:
         "Differences to the tutor alone: what it cost",
         "Differences to the controls: what was found",
         "Differences to the controls: what it cost",
-    ] == [table.title for table in tables(study(), study().plan.environments[0])]
+    ] == [table.title for table in make_tables(study(), study().plan.environments[0])]
 
 
 def test_what_was_found_is_mean_sd_median_and_iqm_with_the_paired_difference() -> None:
@@ -159,7 +159,7 @@ def test_differences_to_the_controls() -> None:
 
 def test_enough_pairs_are_not_complained_about() -> None:
     many = made({"alone": {"attractors": [float(i) for i in range(8)]}, "2A": {"attractors": [9.0] * 8}})
-    (table,) = (table for table in tables(many, many.plan.environments[0]) if "Differences" in table.title)
+    (table,) = (table for table in make_tables(many, many.plan.environments[0]) if "Differences" in table.title)
     assert "No p can get below" not in table.note
     assert ("0.008", "0.008") == table.rows[0].cells[6:]
 
@@ -174,7 +174,7 @@ def test_the_verdict_on_harm_states_its_margin() -> None:
 
 def test_without_the_tutor_alone_there_is_no_difference_to_it() -> None:
     alone_missing = study(reference="")
-    found = tables(alone_missing, alone_missing.plan.environments[0])
+    found = make_tables(alone_missing, alone_missing.plan.environments[0])
     assert all("difference" not in table.header for table in found[:4])
     assert not [table for table in found if "tutor alone" in table.title]
 
@@ -206,7 +206,7 @@ def test_a_number_that_the_world_counts_is_a_count_like_those_of_observers() -> 
     variants = tuple(item._replace(counters={"distance_m": ""} | item.counters) for item in environment.variants)
     asked = whole._replace(plan=whole.plan._replace(environments=(environment._replace(variants=variants),)))
     assert ("runs", "distance_m", "difference", "attractors", "difference") == titled(asked, "What was found").header
-    assert "distance_m" == digest_table(asked, asked.plan.environments[0]).header[0]
+    assert "distance_m" == make_digest_table(asked, asked.plan.environments[0]).header[0]
     compared = titled(asked, "Differences to the tutor alone: what was found")
     assert ["distance_m", "distance_m", "attractors", "attractors", *["attractors per 100 m"] * 2] == sorted(
         (row.cells[1] for row in compared.rows), key=["distance_m", "attractors", "attractors per 100 m"].index
@@ -247,17 +247,17 @@ def test_a_world_without_way_and_time_has_no_table_of_rates() -> None:
     whole = study()
     for run in whole.runs:
         del run.summary["distance_m"], run.summary["time_s"]
-    assert "By way and by time" not in [table.title for table in tables(whole, whole.plan.environments[0])]
+    assert "By way and by time" not in [table.title for table in make_tables(whole, whole.plan.environments[0])]
 
 
 def test_a_study_of_which_nothing_ran_has_no_table() -> None:
     nothing = study()._replace(runs=())
-    assert [] == tables(nothing, nothing.plan.environments[0])
+    assert [] == make_tables(nothing, nothing.plan.environments[0])
 
 
 def test_every_run_is_a_row() -> None:
     whole = study()
-    every = runs_table(whole, whole.plan.environments[0])
+    every = make_runs_table(whole, whole.plan.environments[0])
     assert [(name, str(seed)) for name in FOUND for seed in range(3)] == [
         (row.name, row.cells[0]) for row in every.rows
     ]
@@ -266,11 +266,11 @@ def test_every_run_is_a_row() -> None:
 
 
 def test_the_digest_fits_a_terminal() -> None:
-    digest = digest_table(study(), study().plan.environments[0])
+    digest = make_digest_table(study(), study().plan.environments[0])
     assert ("attractors", "collided", "contacts", "way, m", "stall", "level") == digest.header
     console = Console(width=80)
     with console.capture() as capture:
-        console.print(terminal(digest))
+        console.print(make_terminal_table(digest))
     assert 3 + 2 == len(capture.get().splitlines())
 
 
@@ -282,8 +282,8 @@ def test_numbers_have_as_many_digits_as_a_table_needs(value: float, text: str) -
 
 
 def test_one_run_has_a_mean_and_no_spread() -> None:
-    assert "4.0 ± - (4)" == typical([4.0])
-    assert "4.0 ± - (4; max 4)" == heavy_tailed([4.0])
+    assert "4.0 ± - (4)" == mean_sd_median([4.0])
+    assert "4.0 ± - (4; max 4)" == mean_sd_median_worst([4.0])
 
 
 @pytest.mark.parametrize(("p", "text"), [(0.0009, "< 0.001"), (0.001, "0.001"), (0.0999, "0.100"), (0.1, "0.10")])
@@ -297,7 +297,7 @@ HOSTILE = Table(
 
 
 def test_markdown_keeps_hostile_names_in_their_cells() -> None:
-    lines = markdown(HOSTILE).splitlines()
+    lines = make_markdown(HOSTILE).splitlines()
     rows = [line for line in lines if line.startswith("|")]
     assert [4] * 4 == [len(re.findall(r"(?<!\\)\|", row)) for row in rows]
     assert "**x<y\\|[red]z**" in rows[2]
@@ -305,7 +305,7 @@ def test_markdown_keeps_hostile_names_in_their_cells() -> None:
 
 
 def test_html_escapes_hostile_names() -> None:
-    text = html(HOSTILE, {"x<y|[red]z": "red", "c": "blue"})
+    text = make_html(HOSTILE, {"x<y|[red]z": "red", "c": "blue"})
     assert "x&lt;y|[red]z" in text
     assert "&lt;2&gt;" in text
     assert "<b>" not in text
@@ -316,6 +316,6 @@ def test_html_escapes_hostile_names() -> None:
 def test_the_terminal_shows_names_as_they_are() -> None:
     console = Console(width=100)
     with console.capture() as capture:
-        console.print(terminal(HOSTILE))
+        console.print(make_terminal_table(HOSTILE))
     assert "x<y|[red]z" in capture.get()
     assert "[/]" in capture.get()

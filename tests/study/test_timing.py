@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tutorstudent.study import Finished, Job, Plan, read_study, run_plan
-from tutorstudent.study.runs.progress import shown
+from tutorstudent.study.runs.progress import show_progress
 from tutorstudent.study.runs.timing import Spent, load_timing, save_timing
 
 
@@ -58,7 +58,7 @@ def test_a_timing_that_is_damaged_is_unknown_and_disturbs_nothing(
 def test_progress_tells_failures_and_notes_and_hands_everything_on(capsys: pytest.CaptureFixture[str]) -> None:
     jobs = [Job("[red]cave", "2A", seed, 5, {}) for seed in range(3)]
     results = [Finished(jobs[0], ""), Finished(jobs[1], "it broke"), Finished(jobs[2], "", "not saved")]
-    assert results == list(shown(results, "runs", 5, done=2))
+    assert results == list(show_progress(results, "runs", 5, done=2))
     said = capsys.readouterr().err
     assert "failed: [red]cave, 2A, seed 1: it broke" in said
     assert "note: [red]cave, 2A, seed 2: not saved" in said

@@ -6,7 +6,7 @@ import pytest
 
 from tests.study.made import made
 from tutorstudent.study.numbers.intervals import Interval, bca
-from tutorstudent.study.numbers.verdicts import MARGIN, Verdict, judgements, verdict
+from tutorstudent.study.numbers.verdicts import MARGIN, Verdict, judge_variants, reach_verdict
 from tutorstudent.study.runs.results import Study
 
 ENOUGH = 100_000
@@ -17,7 +17,7 @@ def study(collided: dict[str, list[float]], decisions: float = 10_000.0, key: st
 
 
 def of(found: Study, **options: float) -> dict[str, Verdict]:
-    return {item.variant: item.verdict for item in judgements(found, found.plan.environments[0], **options)}
+    return {item.variant: item.verdict for item in judge_variants(found, found.plan.environments[0], **options)}
 
 
 def test_the_margin_is_the_thesis_s_tenth_of_a_percent() -> None:
@@ -36,18 +36,18 @@ def test_the_margin_is_the_thesis_s_tenth_of_a_percent() -> None:
     ],
 )
 def test_a_verdict_is_where_the_interval_lies(low: float, high: float, expected: Verdict) -> None:
-    assert expected is verdict(Interval(low, high), ENOUGH)
+    assert expected is reach_verdict(Interval(low, high), ENOUGH)
 
 
 def test_without_an_interval_nothing_is_decided() -> None:
-    assert Verdict.UNDECIDED is verdict(None, ENOUGH)
+    assert Verdict.UNDECIDED is reach_verdict(None, ENOUGH)
 
 
 def test_decisions_too_few_to_see_the_margin_decide_nothing() -> None:
     nothing_seen = Interval(0.0, 0.0)
-    assert Verdict.UNDECIDED is verdict(nothing_seen, 2999)  # 3 / 2999 is more than 0.1 %
-    assert Verdict.NOT_WORSE is verdict(nothing_seen, 3000)
-    assert Verdict.UNDECIDED is verdict(nothing_seen, 3000, margin=1.0)
+    assert Verdict.UNDECIDED is reach_verdict(nothing_seen, 2999)  # 3 / 2999 is more than 0.1 %
+    assert Verdict.NOT_WORSE is reach_verdict(nothing_seen, 3000)
+    assert Verdict.UNDECIDED is reach_verdict(nothing_seen, 3000, margin=1.0)
 
 
 def test_variants_are_judged_against_the_tutor_alone() -> None:
@@ -69,7 +69,7 @@ def test_variants_are_judged_against_the_tutor_alone() -> None:
 def test_the_bounds_are_one_sided_ones() -> None:
     ours, theirs = [5.0, 9.0, 4.0, 20.0, 7.0], [1.0, 0.0, 2.0, 3.0, 0.0]
     found = study({"alone": theirs, "2A": ours})
-    (item,) = judgements(found, found.plan.environments[0])
+    (item,) = judge_variants(found, found.plan.environments[0])
     assert item.difference is not None
     assert 9.0 == item.harm
     assert 7.8 == pytest.approx(item.difference.mean)
@@ -82,7 +82,7 @@ def test_the_bounds_are_one_sided_ones() -> None:
 
 def test_harm_is_counted_for_ten_thousand_decisions() -> None:
     found = study({"alone": [0.0] * 4, "2A": [2.0, 3.0, 2.0, 3.0]}, decisions=2000.0)
-    (item,) = judgements(found, found.plan.environments[0])
+    (item,) = judge_variants(found, found.plan.environments[0])
     assert 12.5 == item.harm
     assert {"2A": Verdict.UNDECIDED} == of(found)
     assert {"2A": Verdict.NOT_WORSE} == of(found, margin=20.0)
@@ -104,12 +104,12 @@ def test_runs_without_a_partner_decide_nothing() -> None:
     apart = found._replace(
         runs=tuple(run._replace(seed=run.seed + 10) if run.variant == "2A" else run for run in found.runs)
     )
-    (item,) = judgements(apart, apart.plan.environments[0])
+    (item,) = judge_variants(apart, apart.plan.environments[0])
     assert (500.0, None, Verdict.UNDECIDED) == (item.harm, item.difference, item.verdict)
 
 
 def test_only_what_ran_beside_a_tutor_alone_is_judged() -> None:
     found = study({"alone": [0.0] * 4, "2A": [1.0] * 4})
     environment = found.plan.environments[0]
-    assert [] == judgements(found, environment._replace(reference=""))
-    assert [] == judgements(found._replace(runs=()), environment)
+    assert [] == judge_variants(found, environment._replace(reference=""))
+    assert [] == judge_variants(found._replace(runs=()), environment)

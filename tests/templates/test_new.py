@@ -18,15 +18,15 @@ from tutorstudent.core.files.pipeline import KEYS, Pipeline
 from tutorstudent.core.files.registry import ROLES, Registry
 from tutorstudent.core.files.rundir import run_pipeline
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.templates.naming import names_of
-from tutorstudent.templates.writing import contents, write_plugin
+from tutorstudent.templates.naming import make_names
+from tutorstudent.templates.writing import make_contents, write_plugin
 
 
 @pytest.mark.parametrize("role", ROLES)
 def test_the_example_of_every_role_passes_its_checks_and_runs(
     role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    names = names_of(role, f"brand-new-{role}", Registry())
+    names = make_names(role, f"brand-new-{role}", Registry())
     write_plugin(names, tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
     module = importlib.import_module(names.module)
@@ -46,7 +46,7 @@ def test_the_example_of_every_role_passes_its_checks_and_runs(
 
 
 def test_the_example_of_a_tutor_counts_what_a_comparison_takes_for_achievement(tmp_path: Path) -> None:
-    files = contents(names_of("tutor", "my-tutor", Registry()))
+    files = make_contents(make_names("tutor", "my-tutor", Registry()))
     assert "observers: [my-tutor-approaches]\n" in files["pipeline.yaml"]
     assert "return [MyTutor, Approaches]" in files["my_tutor/__init__.py"]
     assert '__all__ = ["Approaches", "MyTutor"]' in files["my_tutor/__init__.py"]
@@ -75,7 +75,7 @@ def test_it_says_what_it_wrote_and_what_comes_next(tmp_path: Path) -> None:
 
 
 def test_an_editable_installation_needs_nothing_but_hatchling(tmp_path: Path) -> None:
-    write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path)
+    write_plugin(make_names("tutor", "my-tutor", Registry()), tmp_path)
     program = (
         "import sys; sys.modules['editables'] = None\n"
         "from hatchling.build import build_editable; print(build_editable('dist'))"
@@ -111,7 +111,7 @@ def test_the_folder_is_the_name_unless_said_otherwise(tmp_path: Path, monkeypatc
 
 @pytest.mark.parametrize("role", ROLES)
 def test_nothing_of_a_template_is_left_over(role: str) -> None:
-    files = contents(names_of(role, "some-thing", Registry()))
+    files = make_contents(make_names(role, "some-thing", Registry()))
     schema_line, _, rest = files["pipeline.yaml"].partition("\n")
     assert "# yaml-language-server: $schema=pipeline.schema.json" == schema_line
     assert [] == [path for path, text in (files | {"pipeline.yaml": rest}).items() if "$" in text]
@@ -130,7 +130,7 @@ def test_nothing_of_a_template_is_left_over(role: str) -> None:
     [("wall-follower", "WallFollowerTutor"), ("my-tutor", "MyTutor"), ("pioneer-state", "PioneerStateTutor")],
 )
 def test_the_class_is_called_after_the_part_and_its_role(name: str, class_name: str) -> None:
-    assert class_name == names_of("tutor", name, Registry()).class_name
+    assert class_name == make_names("tutor", name, Registry()).class_name
 
 
 @pytest.mark.parametrize(
@@ -153,13 +153,13 @@ def test_the_class_is_called_after_the_part_and_its_role(name: str, class_name: 
 )
 def test_a_name_that_cannot_be_used_is_a_sentence(role: str, name: str, message: str) -> None:
     with pytest.raises(PipelineError) as caught:
-        names_of(role, name, Registry.discover())
+        make_names(role, name, Registry.discover())
     assert message in str(caught.value)
 
 
 def test_what_is_there_is_never_overwritten(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
-    names = names_of("tutor", "my-tutor", Registry())
+    names = make_names("tutor", "my-tutor", Registry())
     with pytest.raises(PipelineError, match="there is something of that name already; give another folder with --out"):
         write_plugin(names, tmp_path)
     with pytest.raises(PipelineError, match="there is something of that name already"):
@@ -170,4 +170,4 @@ def test_what_is_there_is_never_overwritten(tmp_path: Path) -> None:
 def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(PipelineError, match="cannot be written: Not a directory. Name a directory that you may write"):
-        write_plugin(names_of("tutor", "my-tutor", Registry()), tmp_path / "file" / "below")
+        write_plugin(make_names("tutor", "my-tutor", Registry()), tmp_path / "file" / "below")

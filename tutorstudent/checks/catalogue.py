@@ -14,7 +14,7 @@ from tutorstudent.checks.usage import Usage
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.world import World
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import listing
+from tutorstudent.core.words.errors import list_names
 
 Function = Callable[[Usage], str | None]
 """A check: a function of how the part is used. Its name is the check's, its docstring what the check is about."""
@@ -54,7 +54,7 @@ def waives_with_reasons(usage: Usage) -> None:
     expect(
         not wrong,
         "waived_checks maps names of checks to reasons",
-        f"{listing(wrong)}: unknown, or without a reason; checks are {listing(known)}",
+        f"{list_names(wrong)}: unknown, or without a reason; checks are {list_names(known)}",
         "correct the name, or say why the check does not apply",
     )
 

@@ -11,49 +11,49 @@ from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.records import Moment, StateT
 
 
-def state_claim(cls: type[Component]) -> Any:
+def find_state_claim(cls: type[Component]) -> Any:
     """Return the class of states that a component is made for.
 
     A TypeVar means that it is made for any, None that nobody says.
 
     >>> from tutorstudent.core.roles.interfaces import Tutor
     >>> class Pid(Tutor[float, Any]): ...
-    >>> state_claim(Pid)
+    >>> find_state_claim(Pid)
     <class 'float'>
     """
-    return _claims(cls).get(StateT)
+    return _find_claims(cls).get(StateT)
 
 
-def action_claim(cls: type[Component]) -> Any:
-    """Return the class of actions that a component is made for, as `state_claim` does for states."""
-    return _claims(cls).get(ActionT)
+def find_action_claim(cls: type[Component]) -> Any:
+    """Return the class of actions that a component is made for, as `find_state_claim` does for states."""
+    return _find_claims(cls).get(ActionT)
 
 
-def _claims(cls: type[Component]) -> dict[Any, Any]:
+def _find_claims(cls: type[Component]) -> dict[Any, Any]:
     function = vars(cls).get("__wrapped__")
     if function is not None:
-        return _claims_of_function(function.__func__)
+        return _find_claims_of_function(function.__func__)
     role: Any = ROLES[cls.role]
     parameters = getattr(role, "__parameters__", ())
-    return dict(zip(parameters, _arguments(cls, role), strict=False))
+    return dict(zip(parameters, _find_arguments(cls, role), strict=False))
 
 
-def _arguments(cls: type[Any], role: type[Any]) -> tuple[Any, ...]:
+def _find_arguments(cls: type[Any], role: type[Any]) -> tuple[Any, ...]:
     for base in cls.__dict__.get("__orig_bases__", cls.__bases__):
         origin = get_origin(base) or base
         if origin is role:
             return get_args(base)
         if isinstance(origin, type) and issubclass(origin, role):
             given = dict(zip(getattr(origin, "__parameters__", ()), get_args(base), strict=False))
-            return tuple([_given(given, argument) for argument in _arguments(origin, role)])
+            return tuple([_substitute(given, argument) for argument in _find_arguments(origin, role)])
     return ()
 
 
-def _given(given: dict[Any, Any], argument: Any) -> Any:
+def _substitute(given: dict[Any, Any], argument: Any) -> Any:
     return given.get(argument, argument) if isinstance(argument, TypeVar) else argument
 
 
-def _claims_of_function(function: Any) -> dict[Any, Any]:
+def _find_claims_of_function(function: Any) -> dict[Any, Any]:
     # A leaf that a decorator made: what its function says of the first thing that it is given.
     try:
         hints = get_type_hints(function)

@@ -6,40 +6,40 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tutorstudent.checks.likeness import snapshot
-from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, expect, said
-from tutorstudent.checks.subject import SEED, family
-from tutorstudent.checks.usage import Usage, answers, fresh
-from tutorstudent.core.roles.binding import stream
+from tutorstudent.checks.likeness import take_snapshot
+from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, describe_error, expect
+from tutorstudent.checks.subject import SEED, walk_family
+from tutorstudent.checks.usage import Usage, collect_answers, make_fresh
+from tutorstudent.core.roles.binding import make_stream
 from tutorstudent.core.roles.part import Learned
-from tutorstudent.core.running.arrays import flat, load_arrays, nested, save_arrays
-from tutorstudent.core.words.errors import TutorStudentError, listing
+from tutorstudent.core.running.arrays import flatten, load_arrays, nest, save_arrays
+from tutorstudent.core.words.errors import TutorStudentError, list_names
 
 
 def learned_state_is_plain(usage: Usage) -> None:
     """`state_dict` holds arrays, numbers, strings and mappings of these: nothing that would need pickle."""
     try:
-        arrays = flat(_learned(usage))
+        arrays = flatten(_learn(usage))
     except TutorStudentError as error:
-        raise CheckFailed("the keys of state_dict() are strings", said(error), "use strings") from error
+        raise CheckFailed("the keys of state_dict() are strings", describe_error(error), "use strings") from error
     strange = [path for path, array in arrays.items() if array.dtype.hasobject]
     expect(
         not strange,
         "state_dict() holds arrays and plain values only",
-        f"objects at {listing(strange)}",
+        f"objects at {list_names(strange)}",
         "hand out np.asarray(...) of what the object holds, and build the object anew in load_state_dict()",
     )
 
 
 def learned_state_is_a_copy(usage: Usage) -> None:
     """What `state_dict` handed out stays as it was when more is learned."""
-    part = fresh(usage)
-    answers(usage, part)
-    handed = _some(part.state_dict())
-    before = snapshot(handed)
-    answers(usage, part)
+    part = make_fresh(usage)
+    collect_answers(usage, part)
+    handed = _require_some(part.state_dict())
+    before = take_snapshot(handed)
+    collect_answers(usage, part)
     expect(
-        before == snapshot(handed),
+        before == take_snapshot(handed),
         "state_dict() hands out copies",
         "what it handed out changed when the part was used again",
         "copy arrays and mappings: {name: array.copy() for ...}",
@@ -48,19 +48,19 @@ def learned_state_is_a_copy(usage: Usage) -> None:
 
 def remembers_through_a_file(usage: Usage) -> None:
     """A fresh part that takes back what was stored (an .npz without pickle) says the same from then on."""
-    part = fresh(usage)
-    answers(usage, part)
-    stored = _stored(_some(part.state_dict()))
-    other = fresh(usage)
+    part = make_fresh(usage)
+    collect_answers(usage, part)
+    stored = _store(_require_some(part.state_dict()))
+    other = make_fresh(usage)
     try:
         other.load_state_dict(stored)
     except RAISED as error:
         raise CheckFailed(
             "load_state_dict() takes back what state_dict() handed out, after a file",
-            said(error),
+            describe_error(error),
             "a file gives arrays back as arrays, and arrays without dimensions as plain values; read both",
         ) from error
-    here, there = _recalled(usage, part), _recalled(usage, other)
+    here, there = _recall(usage, part), _recall(usage, other)
     differing = [number for number, pair in enumerate(zip(here, there, strict=True)) if pair[0] != pair[1]]
     expect(
         not differing,
@@ -72,7 +72,7 @@ def remembers_through_a_file(usage: Usage) -> None:
 
 def refuses_foreign_learned_state(usage: Usage) -> None:
     """Learned state of another part is an error, not silently ignored."""
-    part = fresh(usage)
+    part = make_fresh(usage)
     try:
         part.load_state_dict({"no_such_name": 1.0})
     except TutorStudentError:
@@ -80,7 +80,7 @@ def refuses_foreign_learned_state(usage: Usage) -> None:
     except RAISED as error:
         raise CheckFailed(
             "a ContractError that says what is not known",
-            said(error),
+            describe_error(error),
             "raise ts.ContractError for names that it does not know",
         ) from error
     raise CheckFailed(
@@ -92,9 +92,9 @@ def refuses_foreign_learned_state(usage: Usage) -> None:
 
 def hands_out_what_it_learned(usage: Usage) -> None:
     """A student that answers otherwise after its lessons hands out something in `state_dict`, or it would be lost."""
-    taught, untaught = fresh(usage), fresh(usage)
-    answers(usage, taught)
-    if _recalled(usage, taught) == _recalled(usage, untaught):
+    taught, untaught = make_fresh(usage), make_fresh(usage)
+    collect_answers(usage, taught)
+    if _recall(usage, taught) == _recall(usage, untaught):
         raise CheckSkipped("it answers as before after its lessons")
     expect(
         bool(taught.state_dict()),
@@ -104,31 +104,33 @@ def hands_out_what_it_learned(usage: Usage) -> None:
     )
 
 
-def _learned(usage: Usage) -> Learned:
-    part = fresh(usage)
-    answers(usage, part)
-    return _some(part.state_dict())
+def _learn(usage: Usage) -> Learned:
+    part = make_fresh(usage)
+    collect_answers(usage, part)
+    return _require_some(part.state_dict())
 
 
-def _some(learned: Learned) -> Learned:
+def _require_some(learned: Learned) -> Learned:
     if not learned:
         raise CheckSkipped("it has learned nothing that it hands out in state_dict()")
     return learned
 
 
-def _stored(learned: Learned) -> Learned:
+def _store(learned: Learned) -> Learned:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "learned.npz"
         try:
-            save_arrays(path, flat(learned))
+            save_arrays(path, flatten(learned))
         except (ValueError, TutorStudentError) as error:
-            raise CheckSkipped(f"it cannot be stored, see the check 'learned_state_is_plain': {said(error)}") from error
-        return nested(load_arrays(path))
+            raise CheckSkipped(
+                f"it cannot be stored, see the check 'learned_state_is_plain': {describe_error(error)}"
+            ) from error
+        return nest(load_arrays(path))
 
 
-def _recalled(usage: Usage, part: Any) -> list[Any]:
+def _recall(usage: Usage, part: Any) -> list[Any]:
     # Both begin with the same random numbers: what is left to differ is what was learned.
-    for member in family(part):
-        member.rng = stream(SEED, member.slot)
+    for member in walk_family(part):
+        member.rng = make_stream(SEED, member.slot)
     usage.begin(part)
-    return [snapshot(usage.recall(part, question)) for question in usage.usual()]
+    return [take_snapshot(usage.recall(part, question)) for question in usage.make_usual()]

@@ -13,10 +13,10 @@ from pydantic import BaseModel
 _DEEPEST = 20
 
 
-def snapshot(value: Any, depth: int = 0) -> Any:
+def take_snapshot(value: Any, depth: int = 0) -> Any:
     """Return what a value holds, made of tuples and plain values; equal for values that hold the same, NaN included.
 
-    >>> snapshot({"scan": np.array([1.0, np.nan])}) == snapshot({"scan": np.array([1.0, np.nan])})
+    >>> take_snapshot({"scan": np.array([1.0, np.nan])}) == take_snapshot({"scan": np.array([1.0, np.nan])})
     True
     """
     kind = type(value).__qualname__
@@ -24,28 +24,28 @@ def snapshot(value: Any, depth: int = 0) -> Any:
         return kind, str(value) if value is None or isinstance(value, type) else "..."
     if isinstance(value, np.ndarray):
         held: Any = value.tolist() if value.dtype.hasobject else value.tobytes()
-        return kind, value.dtype.str, value.shape, snapshot(held, depth + 1)
+        return kind, value.dtype.str, value.shape, take_snapshot(held, depth + 1)
     if isinstance(value, bool | int | float | complex | str | bytes | np.generic):
         return kind, repr(value)
     if isinstance(value, Mapping):
-        pairs = [(snapshot(key, depth + 1), snapshot(item, depth + 1)) for key, item in value.items()]
+        pairs = [(take_snapshot(key, depth + 1), take_snapshot(item, depth + 1)) for key, item in value.items()]
         return kind, tuple(sorted(pairs, key=repr))
     if isinstance(value, set | frozenset):
-        return kind, tuple(sorted((snapshot(item, depth + 1) for item in value), key=repr))
+        return kind, tuple(sorted((take_snapshot(item, depth + 1) for item in value), key=repr))
     if isinstance(value, list | tuple):
-        return kind, tuple([snapshot(item, depth + 1) for item in value])
-    return kind, tuple([(name, snapshot(item, depth + 1)) for name, item in _attributes(value).items()])
+        return kind, tuple([take_snapshot(item, depth + 1) for item in value])
+    return kind, tuple([(name, take_snapshot(item, depth + 1)) for name, item in _read_attributes(value).items()])
 
 
 def digest(value: Any) -> str:
     """Return a short fingerprint of what a value holds, the same in every process."""
-    return hashlib.sha256(repr(snapshot(value)).encode()).hexdigest()[:16]
+    return hashlib.sha256(repr(take_snapshot(value)).encode()).hexdigest()[:16]
 
 
-def damaged(value: Any, reading: float) -> Any:
+def damage(value: Any, reading: float) -> Any:
     """Return a copy of a state in which every float is `reading`, as a broken sensor would deliver it.
 
-    >>> damaged((1.5, 2, "left"), np.inf)
+    >>> damage((1.5, 2, "left"), np.inf)
     (inf, 2, 'left')
 
     Raises:
@@ -57,10 +57,10 @@ def damaged(value: Any, reading: float) -> Any:
         broken = np.full_like(value, reading)
         broken.setflags(write=value.flags.writeable)
         return broken
-    return _rebuilt(value, lambda item: damaged(item, reading))
+    return _rebuild(value, lambda item: damage(item, reading))
 
 
-def _rebuilt(value: Any, change: Callable[[Any], Any]) -> Any:
+def _rebuild(value: Any, change: Callable[[Any], Any]) -> Any:
     if isinstance(value, dict):
         return {key: change(item) for key, item in value.items()}
     if isinstance(value, tuple) and hasattr(value, "_make"):
@@ -75,13 +75,13 @@ def _rebuilt(value: Any, change: Callable[[Any], Any]) -> Any:
     return value
 
 
-def _attributes(value: Any) -> dict[str, Any]:
-    slots = [name for cls in type(value).__mro__ for name in _slots(cls)]
+def _read_attributes(value: Any) -> dict[str, Any]:
+    slots = [name for cls in type(value).__mro__ for name in _list_slots(cls)]
     held = {name: getattr(value, name) for name in slots if hasattr(value, name)}
     return held | dict(getattr(value, "__dict__", {}))
 
 
-def _slots(cls: type[Any]) -> tuple[str, ...]:
+def _list_slots(cls: type[Any]) -> tuple[str, ...]:
     found = vars(cls).get("__slots__", ())
     return (found,) if isinstance(found, str) else tuple(name for name in found if not name.startswith("__"))
 

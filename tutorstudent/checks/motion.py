@@ -30,7 +30,7 @@ class Motion(Action):
     }
 
 
-def example_actions(cls: type[Action]) -> list[Any]:
+def make_examples(cls: type[Action]) -> list[Any]:
     """Return sound actions of a class: of every kind, from doing nothing to the bounds.
 
     Components that are never amplified keep their defaults, so that a duration stays as short as it is by itself.
@@ -39,26 +39,26 @@ def example_actions(cls: type[Action]) -> list[Any]:
         CheckSkipped: if the class needs something that it does not declare as a bounded number.
     """
     try:
-        return [_example(cls, kind, share) for share in SHARES for kind in cls.vocabulary.kinds]
+        return [_make_example(cls, kind, share) for share in SHARES for kind in cls.vocabulary.kinds]
     except ValidationError as error:
         problem = error.errors(include_url=False)[0]
         where = ".".join(map(str, problem["loc"]))
         raise CheckSkipped(f"no {cls.__name__} can be made up: {where}: {problem['msg']}") from None
 
 
-def _example(cls: type[Action], kind: str, share: float) -> Action:
+def _make_example(cls: type[Action], kind: str, share: float) -> Action:
     vocabulary = cls.vocabulary
     directions = {name: group.direction for group in vocabulary.groups[kind] for name in group.names}
     values: dict[str, Any] = {} if vocabulary.kinds == ("command",) else {"kind": kind}
     for name, spec in vocabulary.components.items():
         if name in directions:
-            values[name] = _towards(spec, directions[name], share)
+            values[name] = _move_towards(spec, directions[name], share)
         elif cls.model_fields[name].is_required() and spec.number:
             values[name] = min(max(spec.neutral, spec.low), spec.high)
     return cls(**values)
 
 
-def _towards(spec: ComponentSpec, direction: str, share: float) -> float:
+def _move_towards(spec: ComponentSpec, direction: str, share: float) -> float:
     low = spec.low if math.isfinite(spec.low) else spec.neutral - spec.scale
     high = spec.high if math.isfinite(spec.high) else spec.neutral + spec.scale
     end = low if direction == "-" else high

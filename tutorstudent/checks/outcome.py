@@ -32,10 +32,10 @@ def expect(holds: bool, expected: str, seen: str, remedy: str) -> None:
         raise CheckFailed(expected, seen, remedy)
 
 
-def said(error: BaseException) -> str:
+def describe_error(error: BaseException) -> str:
     """Return an exception as ``Type: message``, shortened.
 
-    >>> said(ValueError("too far"))
+    >>> describe_error(ValueError("too far"))
     'ValueError: too far'
     """
     text = f"{type(error).__name__}: {error}"

@@ -12,9 +12,9 @@ from tutorstudent.checks.likeness import digest
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.roles import USAGES
 from tutorstudent.checks.subject import Subject
-from tutorstudent.checks.usage import Usage, answers, fresh
+from tutorstudent.checks.usage import Usage, collect_answers, make_fresh
 from tutorstudent.core.files.assembly import Assembler
-from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.part import Component
@@ -25,8 +25,8 @@ TIME_LIMIT_S = 120
 
 def same_answers_in_another_process(usage: Usage) -> None:
     """A new process, in which strings hash otherwise, gives the same answers: runs can be repeated anywhere."""
-    recipe = recipe_of(usage.subject)
-    here = digest(answers(usage, fresh(usage)))
+    recipe = make_recipe(usage.subject)
+    here = digest(collect_answers(usage, make_fresh(usage)))
     done = subprocess.run(  # noqa: S603 - this very interpreter
         [sys.executable, "-c", f"from {__name__} import main; main()"],
         input=json.dumps(recipe),
@@ -45,7 +45,7 @@ def same_answers_in_another_process(usage: Usage) -> None:
     )
 
 
-def recipe_of(subject: Subject) -> dict[str, Any]:
+def make_recipe(subject: Subject) -> dict[str, Any]:
     """Return what another process needs to make the part.
 
     Raises:
@@ -57,7 +57,7 @@ def recipe_of(subject: Subject) -> dict[str, Any]:
     try:
         installed = Registry.discover().get(cls.role, cls.name)
         parts = {"part": subject.sample, "world": subject.world}
-        made = {key: plain(part.describe(), key) for key, part in parts.items() if part is not None}
+        made = {key: make_plain(part.describe(), key) for key, part in parts.items() if part is not None}
     except TutorStudentError as error:
         raise CheckSkipped(f"another process cannot make it: {error}") from error
     if installed is not cls:
@@ -67,7 +67,7 @@ def recipe_of(subject: Subject) -> dict[str, Any]:
 
 def make(registry: Registry, role: str, values: dict[str, Any], name: str = "part") -> Any:
     """Return the component that plain values name; `name` stands for where they come from."""
-    part: Component = Assembler(Document(name, values, {}), registry).part(role, values, ())
+    part: Component = Assembler(Document(name, values, {}), registry).make_part(role, values, ())
     return part
 
 
@@ -77,7 +77,7 @@ def answer(recipe: dict[str, Any]) -> str:
     world = make(registry, "world", recipe["world"]) if "world" in recipe else None
     subject = Subject(make(registry, recipe["role"], recipe["part"]), None, world)
     usage = USAGES[recipe["role"]](subject)
-    return digest(answers(usage, fresh(usage)))
+    return digest(collect_answers(usage, make_fresh(usage)))
 
 
 def main() -> None:

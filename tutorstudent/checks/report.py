@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any, Literal, NamedTuple
 
 from tutorstudent.checks.catalogue import Check
-from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, said
+from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, describe_error
 
 Status = Literal["passed", "skipped", "failed"]
 
@@ -56,11 +56,11 @@ class Report(NamedTuple):
             )
         ]
         reasons = dict.fromkeys(result.note for result in self.of("skipped"))
-        skips = [f"skipped {', '.join(self._skipped(reason))}: {reason}" for reason in reasons]
+        skips = [f"skipped {', '.join(self._format_skipped(reason))}: {reason}" for reason in reasons]
         notes = [f"passed  {result.check}: {result.note}" for result in self.of("passed") if result.note]
         return [*failures, *skips, *notes, self.headline]
 
-    def _skipped(self, reason: str) -> list[str]:
+    def _format_skipped(self, reason: str) -> list[str]:
         return [result.check for result in self.of("skipped") if result.note == reason]
 
     def as_json(self) -> dict[str, Any]:
@@ -73,12 +73,12 @@ class Report(NamedTuple):
 def run_checks(checks: Sequence[Check]) -> Report:
     """Make all checks of one part."""
     start = time.perf_counter()
-    results = [_result(check) for check in checks]
+    results = [_make_result(check) for check in checks]
     cls = checks[0].usage.subject.cls
     return Report(f"{cls.role} '{cls.name}'", results, time.perf_counter() - start)
 
 
-def _result(check: Check) -> Result:
+def _make_result(check: Check) -> Result:
     about = " ".join((check.function.__doc__ or "").split())
     try:
         return Result(check.name, about, "passed", check() or "")
@@ -93,6 +93,6 @@ def _result(check: Check) -> Result:
             "failed",
             "",
             "the part can be used by the check",
-            said(error),
+            describe_error(error),
             "see the traceback with checks_of() in a test",
         )

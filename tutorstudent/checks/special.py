@@ -9,16 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.checks.likeness import snapshot
+from tutorstudent.checks.likeness import take_snapshot
 from tutorstudent.checks.outcome import CheckSkipped, expect
 from tutorstudent.checks.subject import SEED
-from tutorstudent.checks.usage import Usage, answers, close, fresh
+from tutorstudent.checks.usage import Usage, close, collect_answers, make_fresh
 from tutorstudent.core.words.proposals import KindProposal
 
 
 def says_back_what_it_was_told(usage: Usage) -> None:
     """Decoding what a codec encoded gives the level and ampbit, and the kind where it has one, at levels 0 and 1."""
-    for question, answer in _asked(usage):
+    for question, answer in _ask_all(usage):
         (target,), (_, proposal) = question, answer
         kind = [proposal.kind] if isinstance(proposal, KindProposal) else []
         told = [proposal.level, proposal.ampbit, *kind]
@@ -34,7 +34,7 @@ def says_back_what_it_was_told(usage: Usage) -> None:
 
 def grows_with_the_amplification(usage: Usage) -> None:
     """A higher level never moves less: limits are searched for on that ground."""
-    asked = sorted((magnitude, amplification, answer) for (amplification, magnitude), answer in _asked(usage))
+    asked = sorted((magnitude, amplification, answer) for (amplification, magnitude), answer in _ask_all(usage))
     for (magnitude, low, near), (other, high, far) in pairwise(asked):
         expect(
             magnitude != other or near <= far,
@@ -46,7 +46,7 @@ def grows_with_the_amplification(usage: Usage) -> None:
 
 def margins_agree_with_the_condition(usage: Usage) -> None:
     """Margins are negative or 0 exactly where the condition is violated."""
-    asked = [(question, answer) for question, answer in _asked(usage) if answer[1]]
+    asked = [(question, answer) for question, answer in _ask_all(usage) if answer[1]]
     if not asked:
         raise CheckSkipped("it declares no margins")
     for (state,), (violated, margins) in asked:
@@ -61,12 +61,12 @@ def margins_agree_with_the_condition(usage: Usage) -> None:
 
 def same_seed_same_trial(usage: Usage) -> None:
     """`reset(seed)` begins the same trial whatever was done before."""
-    part = fresh(usage)
-    first, second = [answers(usage, part) for _ in range(2)]
+    part = make_fresh(usage)
+    first, second = [collect_answers(usage, part) for _ in range(2)]
     state, again = part.reset(SEED), part.reset(SEED)
     close(part)
     expect(
-        snapshot((first, state)) == snapshot((second, again)),
+        take_snapshot((first, state)) == take_snapshot((second, again)),
         "two trials of one seed with the same actions are the same",
         "they differ",
         "put everything back in reset(seed), and make the trial's random generator of that seed",
@@ -75,15 +75,15 @@ def same_seed_same_trial(usage: Usage) -> None:
 
 def states_stay_as_they_were(usage: Usage) -> None:
     """States that were handed out do not change when the world moves on, and nobody can change them."""
-    part = fresh(usage)
+    part = make_fresh(usage)
     states = [part.reset(SEED)]
-    before = [snapshot(states[0])]
-    for question in usage.usual():
+    before = [take_snapshot(states[0])]
+    for question in usage.make_usual():
         states.append(usage.ask(part, question).state)
-        before.append(snapshot(states[-1]))
+        before.append(take_snapshot(states[-1]))
     close(part)
-    changed = [number for number, state in enumerate(states) if snapshot(state) != before[number]]
-    writable = [array for state in states for array in _arrays(state) if array.flags.writeable]
+    changed = [number for number, state in enumerate(states) if take_snapshot(state) != before[number]]
+    writable = [array for state in states for array in _find_arrays(state) if array.flags.writeable]
     expect(
         not changed and not writable,
         "a state is a new object each time, with read-only arrays",
@@ -94,8 +94,8 @@ def states_stay_as_they_were(usage: Usage) -> None:
 
 def draws_itself_with_finite_numbers(usage: Usage) -> None:
     """Outlines, discs and poses of `sketch` are finite: maps and films are made of them."""
-    part = fresh(usage)
-    answers(usage, part)
+    part = make_fresh(usage)
+    collect_answers(usage, part)
     sketch = part.sketch()
     close(part)
     numbers = [
@@ -109,20 +109,20 @@ def draws_itself_with_finite_numbers(usage: Usage) -> None:
     expect(not strange, "sketch() holds finite numbers of metres", f"{strange[:3]}", "leave out what has no place")
 
 
-def _asked(usage: Usage) -> list[tuple[Any, Any]]:
-    return list(zip(usage.usual(), answers(usage, fresh(usage)), strict=True))
+def _ask_all(usage: Usage) -> list[tuple[Any, Any]]:
+    return list(zip(usage.make_usual(), collect_answers(usage, make_fresh(usage)), strict=True))
 
 
-def _arrays(value: Any, depth: int = 0) -> Iterator[np.ndarray[Any, Any]]:
+def _find_arrays(value: Any, depth: int = 0) -> Iterator[np.ndarray[Any, Any]]:
     if isinstance(value, np.ndarray):
         yield value
     elif depth < 5 and isinstance(value, list | tuple):
         for item in value:
-            yield from _arrays(item, depth + 1)
+            yield from _find_arrays(item, depth + 1)
     elif depth < 5 and isinstance(value, dict):
         for item in value.values():
-            yield from _arrays(item, depth + 1)
+            yield from _find_arrays(item, depth + 1)
     elif depth < 5:
         names = [*getattr(value, "__dict__", {}), *getattr(type(value), "__slots__", ())]
         for name in names:
-            yield from _arrays(getattr(value, name, None), depth + 1)
+            yield from _find_arrays(getattr(value, name, None), depth + 1)

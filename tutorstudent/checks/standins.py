@@ -117,7 +117,7 @@ class Clock(World[float, Any]):
         return Step(self._time, {"collided": float(self._time % 5 == 0), "time_s": self._time}, self._time == 20)
 
 
-def engine_of(actions: Sequence[Any]) -> tuple[Engine[Any, Any, Any], Clock]:
+def make_engine(actions: Sequence[Any]) -> tuple[Engine[Any, Any, Any], Clock]:
     """Return an engine whose tutor says these actions, and a world that executes them."""
     engine: Engine[Any, Any, Any] = Engine(
         tutor=Repeater(actions),
@@ -130,9 +130,9 @@ def engine_of(actions: Sequence[Any]) -> tuple[Engine[Any, Any, Any], Clock]:
     return engine, Clock(type(actions[0]))
 
 
-def staged(actions: Sequence[Any], decisions: int = 25) -> Iterator[tuple[Turn[Any, Any], Step[Any]]]:
+def play(actions: Sequence[Any], decisions: int = 25) -> Iterator[tuple[Turn[Any, Any], Step[Any]]]:
     """Yield what an observer sees of a short run."""
-    engine, clock = engine_of(actions)
+    engine, clock = make_engine(actions)
     state = clock.reset(0)
     for _ in range(decisions):
         step = clock.step(engine.propagate(state))

@@ -22,8 +22,8 @@ from functools import cached_property, partial
 from itertools import cycle, islice
 from typing import Any, TypeVar
 
-from tutorstudent.checks.claims import action_claim, state_claim
-from tutorstudent.checks.motion import Motion, example_actions
+from tutorstudent.checks.claims import find_action_claim, find_state_claim
+from tutorstudent.checks.motion import Motion, make_examples
 from tutorstudent.checks.outcome import CheckSkipped
 from tutorstudent.core.files.registry import ROLES
 from tutorstudent.core.roles.binding import Binding
@@ -56,7 +56,7 @@ class Subject:
         world: World[Any, Any] | None = None,
         action: type[Action] | None = None,
     ) -> None:
-        self.sample = _unbound(part if isinstance(part, Component) else part())
+        self.sample = _require_unbound(part if isinstance(part, Component) else part())
         self.make: Callable[[], Any] = partial(copy.deepcopy, part) if isinstance(part, Component) else part
         self.cls = type(self.sample)
         self.world = world
@@ -64,7 +64,7 @@ class Subject:
         self.given_action = action
         self._made: list[Component] = []
 
-    def bound(self, slot: str = "", seed: int = SEED) -> Any:
+    def make_bound(self, slot: str = "", seed: int = SEED) -> Any:
         """Return a fresh instance that was bound at a slot; its role's, if none is named."""
         part = self.make()
         self._made.append(part)
@@ -85,16 +85,16 @@ class Subject:
     @cached_property
     def action(self) -> type[Action]:
         """The tutor's action class."""
-        owners = [owner for owner in (self.world, *family(self.sample)) if owner is not None]
+        owners = [owner for owner in (self.world, *walk_family(self.sample)) if owner is not None]
         own = [getattr(owner, "action", None) for owner in owners]
-        claims = [self.given_action, *own, *(action_claim(type(owner)) for owner in owners)]
+        claims = [self.given_action, *own, *(find_action_claim(type(owner)) for owner in owners)]
         known = (claim for claim in claims if isinstance(claim, type) and issubclass(claim, Action))
         return next((claim for claim in known if claim is not Action), Motion)
 
     @cached_property
     def actions(self) -> list[Any]:
         """Sound actions of the class."""
-        return example_actions(self.action)
+        return make_examples(self.action)
 
     @cached_property
     def states(self) -> list[Any]:
@@ -103,22 +103,22 @@ class Subject:
         Raises:
             CheckSkipped: if nobody supplies any.
         """
-        found = list(self._states())
+        found = list(self._find_states())
         return list(islice(cycle(found), max(FEWEST, len(found))))
 
-    def _states(self) -> Sequence[Any]:
+    def _find_states(self) -> Sequence[Any]:
         if self.given_states:
             return self.given_states
         if self.world is not None:
-            return _seen_in(self.world, self.action)
-        members = list(family(self.sample))
+            return _visit(self.world, self.action)
+        members = list(walk_family(self.sample))
         for member in members:
             if hasattr(member, "examples"):
-                return _examples_of(member, self.action)
-            claim = state_claim(type(member))
+                return _find_examples(member, self.action)
+            claim = find_state_claim(type(member))
             if hasattr(claim, "examples"):
                 return list(claim.examples())
-        if all(isinstance(state_claim(type(member)), TypeVar) for member in members if _sees(member)):
+        if all(isinstance(find_state_claim(type(member)), TypeVar) for member in members if _reads_states(member)):
             return [0.0]
         raise CheckSkipped(
             f"nobody says what states {self.cls.__name__} is made for: give its class or its state class examples(), "
@@ -126,29 +126,29 @@ class Subject:
         )
 
 
-def family(part: Component) -> Iterator[Component]:
+def walk_family(part: Component) -> Iterator[Component]:
     """Yield a part and all that is nested in it."""
     yield part
     for _, nested in part.parts():
-        yield from family(nested)
+        yield from walk_family(nested)
 
 
-def _examples_of(member: Component, action: type[Action]) -> list[Any]:
+def _find_examples(member: Component, action: type[Action]) -> list[Any]:
     fresh: Any = copy.deepcopy(member)
     fresh.bind(Binding(SEED, member.role, action))
     return list(fresh.examples())
 
 
-def _sees(member: Component) -> bool:
+def _reads_states(member: Component) -> bool:
     return StateT in getattr(ROLES[member.role], "__parameters__", ())
 
 
-def _seen_in(world: World[Any, Any], action: type[Action]) -> list[Any]:
+def _visit(world: World[Any, Any], action: type[Action]) -> list[Any]:
     visited = copy.deepcopy(world)
     visited.bind(Binding(SEED, "world", action))
     try:
         states = [visited.reset(SEED)]
-        for example in islice(cycle(example_actions(action)), 2 * FEWEST):
+        for example in islice(cycle(make_examples(action)), 2 * FEWEST):
             step = visited.step(example)
             states.append(visited.reset(SEED + len(states)) if step.done or step.truncated else step.state)
         return states
@@ -156,7 +156,7 @@ def _seen_in(world: World[Any, Any], action: type[Action]) -> list[Any]:
         visited.close()
 
 
-def _unbound(part: Component) -> Component:
+def _require_unbound(part: Component) -> Component:
     if part.slot:
         raise ContractError(
             f"{part.role} '{part.name}' stands at '{part.slot}' of a pipeline; give the checks one that stands nowhere."

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
 from tutorstudent.checks.likeness import Unreadable
-from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, said
+from tutorstudent.checks.outcome import RAISED, CheckFailed, CheckSkipped, describe_error
 from tutorstudent.checks.subject import SEED, Subject
 from tutorstudent.core.roles.part import EnginePart
 
@@ -25,7 +25,7 @@ class Usage(abc.ABC):
         self.subject = subject
 
     @abc.abstractmethod
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         """Return what the part is asked, in order."""
 
     @abc.abstractmethod
@@ -50,18 +50,18 @@ class Usage(abc.ABC):
         """The states that questions are made of."""
         return self.subject.states if self.reads_states else ()
 
-    def usual(self) -> list[Question]:
+    def make_usual(self) -> list[Question]:
         """Return what the part is asked in normal times."""
-        return self.questions(self.states)
+        return self.make_questions(self.states)
 
-    def unreadable(self) -> Question:
+    def make_unreadable(self) -> Question:
         """Return a question that cannot be read."""
         if self.reads_states:
-            return self.questions([Unreadable()])[0]
-        return tuple(Unreadable() for _ in self.usual()[0])
+            return self.make_questions([Unreadable()])[0]
+        return tuple(Unreadable() for _ in self.make_usual()[0])
 
 
-def answers(usage: Usage, part: Any, ask: Callable[[Any, Question], Any] | None = None) -> list[Any]:
+def collect_answers(usage: Usage, part: Any, ask: Callable[[Any, Question], Any] | None = None) -> list[Any]:
     """Begin a trial, ask everything (by `ask` instead of the usage's own, if given), and return the answers.
 
     Raises:
@@ -69,23 +69,23 @@ def answers(usage: Usage, part: Any, ask: Callable[[Any, Question], Any] | None 
     """
     try:
         usage.begin(part)
-        return [(ask or usage.ask)(part, question) for question in usage.usual()]
+        return [(ask or usage.ask)(part, question) for question in usage.make_usual()]
     except (CheckFailed, CheckSkipped):
         raise
     except RAISED as error:
-        raise unusable(error) from error
+        raise explain_unusable(error) from error
 
 
-def fresh(usage: Usage, slot: str = "", seed: int = SEED) -> Any:
+def make_fresh(usage: Usage, slot: str = "", seed: int = SEED) -> Any:
     """Return a fresh, bound part.
 
     Raises:
         CheckSkipped: if it cannot be bound, which is for the check ``works`` to tell.
     """
     try:
-        return usage.subject.bound(slot, seed)
+        return usage.subject.make_bound(slot, seed)
     except RAISED as error:
-        raise unusable(error) from error
+        raise explain_unusable(error) from error
 
 
 def close(part: Any) -> None:
@@ -97,9 +97,9 @@ def close(part: Any) -> None:
     try:
         part.close()
     except RAISED as error:
-        raise unusable(error) from error
+        raise explain_unusable(error) from error
 
 
-def unusable(error: BaseException) -> CheckSkipped:
+def explain_unusable(error: BaseException) -> CheckSkipped:
     """Return why other checks than ``works`` have nothing to say."""
-    return CheckSkipped(f"it cannot be used, see the check 'works': {said(error)}")
+    return CheckSkipped(f"it cannot be used, see the check 'works': {describe_error(error)}")

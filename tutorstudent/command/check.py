@@ -14,8 +14,8 @@ from tutorstudent.checks.report import run_checks
 from tutorstudent.core.files.registry import ROLES, Registry
 from tutorstudent.core.files.settings import read_settings, set_value
 from tutorstudent.core.roles.part import Component
-from tutorstudent.core.roles.part_options import part_role
-from tutorstudent.core.words.errors import PipelineError, UnknownPlugin, listing, suggestion
+from tutorstudent.core.roles.part_options import read_part_role
+from tutorstudent.core.words.errors import PipelineError, UnknownPlugin, list_names, suggest
 
 
 def check(
@@ -51,10 +51,10 @@ def check_required(registry: Registry, cls: type[Component], values: Mapping[str
     missing = [name for name, field in fields.items() if field.is_required() and name not in values]
     if not missing or not set(values) - {"use"} <= set(fields):
         return
-    role = part_role(fields[missing[0]].annotation, list(fields[missing[0]].metadata))
-    known = f" ({role.role}s: {listing(item.cls.name for item in registry.of(role.role))})" if role else ""
+    role = read_part_role(fields[missing[0]].annotation, list(fields[missing[0]].metadata))
+    known = f" ({role.role}s: {list_names(item.cls.name for item in registry.of(role.role))})" if role else ""
     raise PipelineError(
-        f"{cls.role} '{cls.name}' needs the options {listing(missing)}; give each with --set, "
+        f"{cls.role} '{cls.name}' needs the options {list_names(missing)}; give each with --set, "
         f"as in --set {missing[0]}=...{known}."
     )
 
@@ -68,17 +68,17 @@ def find_role(registry: Registry, name: str, role: str | None) -> str:
         PipelineError: if there are several, or the role is none.
     """
     if role is not None and role not in ROLES:
-        raise PipelineError(f"--role {role}: no such role{suggestion(role, ROLES)}. Roles: {listing(ROLES)}.")
+        raise PipelineError(f"--role {role}: no such role{suggest(role, ROLES)}. Roles: {list_names(ROLES)}.")
     if role is not None:
         return registry.get(role, name).role
     roles = [installed.cls.role for installed in registry if installed.cls.name == name]
     if len(roles) > 1:
-        raise PipelineError(f"'{name}' is the name of parts of the roles {listing(roles)}; say which, as in --role.")
+        raise PipelineError(f"'{name}' is the name of parts of the roles {list_names(roles)}; say which, as in --role.")
     if not roles:
         known = [installed.cls.name for installed in registry]
         registry.check_not_broken(name)
         raise UnknownPlugin(
-            f"no part named '{name}'{suggestion(name, known)}. Installed: {listing(known)}. "
+            f"no part named '{name}'{suggest(name, known)}. Installed: {list_names(known)}. "
             f"A package has to be installed with pip to be found.{registry.suspects()}"
         )
     return roles[0]

@@ -29,11 +29,11 @@ def is_verbose() -> bool:
     return bool(os.environ.get(VERBOSE))
 
 
-def everywhere(command: Callable[..., None]) -> Callable[..., None]:
+def add_common_options(command: Callable[..., None]) -> Callable[..., None]:
     """Return a command that takes these options beside its own."""
 
     @functools.wraps(command)
-    def heeding(*words: Any, verbose: bool, trace: bool, **options: Any) -> None:
+    def heed_and_run(*words: Any, verbose: bool, trace: bool, **options: Any) -> None:
         heed(verbose, trace)
         command(*words, **options)
 
@@ -43,5 +43,5 @@ def everywhere(command: Callable[..., None]) -> Callable[..., None]:
         for name, annotation in (("verbose", Verbose), ("trace", Trace))
     ]
     # Typer reads the options of a command from its signature.
-    vars(heeding)["__signature__"] = own.replace(parameters=[*own.parameters.values(), *ours])
-    return heeding
+    vars(heed_and_run)["__signature__"] = own.replace(parameters=[*own.parameters.values(), *ours])
+    return heed_and_run

@@ -11,7 +11,7 @@ from rich.console import Console
 from tutorstudent.command import compare_options as options
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.study.page.remarks import goal_line, remarks, resume_command
+from tutorstudent.study.page.remarks import describe_goal, make_remarks, make_resume_command
 from tutorstudent.study.plans.plan import Plan
 from tutorstudent.study.plans.planfile import load_plan
 from tutorstudent.study.plans.planning import make_plan
@@ -19,8 +19,8 @@ from tutorstudent.study.plans.requests import Request, read_pipelines, read_sett
 from tutorstudent.study.runs.backends import Backend, check_backend, check_extras
 from tutorstudent.study.runs.results import Study
 from tutorstudent.study.studies import check_folder, run_study
-from tutorstudent.study.tables.media import terminal
-from tutorstudent.study.tables.tables import digest_table
+from tutorstudent.study.tables.media import make_terminal_table
+from tutorstudent.study.tables.tables import make_digest_table
 
 LEGEND = (
     "collided: decisions in which the robot's own motion was refused. contacts: how often that began. way: distance "
@@ -55,20 +55,20 @@ def compare(
     workforce = Backend(backend, address)
     check_backend(workforce)
     if resume and not pipelines:
-        plan = _planned(out, context)
+        plan = _load_plan(out, context)
     else:
         if not resume:
             check_folder(out)
         asked = Wish(pipelines or [], settings or [], vary)
-        plan = _plan(asked, Request({}, runs, seed, decisions, (), controls, goal, harm_budget, search_runs))
+        plan = _make_plan(asked, Request({}, runs, seed, decisions, (), controls, goal, harm_budget, search_runs))
     try:
         study = run_study(plan, out, workers, workforce)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; go on with: {resume_command(out)}", err=True)
+        typer.echo(f"interrupted; go on with: {make_resume_command(out)}", err=True)
         raise typer.Exit(INTERRUPTED) from None
     show(study)
     if study.failures:
-        typer.echo(f"What failed is run again by: {resume_command(out)}", err=True)
+        typer.echo(f"What failed is run again by: {make_resume_command(out)}", err=True)
         raise typer.Exit(1)
 
 
@@ -80,7 +80,7 @@ class Wish(NamedTuple):
     vary: str | None
 
 
-def _plan(wish: Wish, request: Request) -> Plan:
+def _make_plan(wish: Wish, request: Request) -> Plan:
     registry = Registry.discover()
     given = read_pipelines(wish.pipelines, registry)
     for text in wish.settings:
@@ -89,9 +89,9 @@ def _plan(wish: Wish, request: Request) -> Plan:
     return make_plan(request._replace(pipelines=given, variations=variations), registry)
 
 
-def _planned(out: Path, context: typer.Context) -> Plan:
+def _load_plan(out: Path, context: typer.Context) -> Plan:
     """Return the plan of a study that is gone on with; nothing may be said that it says already."""
-    if said := options.said_again(context):
+    if said := options.find_repeated(context):
         raise PipelineError(
             f"--resume with {', '.join(said)}: the plan in {out} says that already; leave "
             f"{'it' if len(said) == 1 else 'them'} out, or give the pipelines too, to have the two compared."
@@ -116,8 +116,8 @@ def show(study: Study) -> None:
     console, out = Console(), study.folder
     for environment in study.plan.environments:
         console.rule(environment.name, align="left")
-        console.print(terminal(digest_table(study, environment)), "\n")
-    for text in filter(None, [goal_line(study), *remarks(study)]):
+        console.print(make_terminal_table(make_digest_table(study, environment)), "\n")
+    for text in filter(None, [describe_goal(study), *make_remarks(study)]):
         console.print(text, markup=False, highlight=False, soft_wrap=True)
     console.print(LEGEND, highlight=False)
     console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. Controls are in italics.", highlight=False)

@@ -38,7 +38,7 @@ PLANNED = ("runs", "decisions", "vary", "settings", "controls", "goal", "harm_bu
 """Those that make a plan."""
 
 
-def said_again(context: typer.Context) -> list[str]:
+def find_repeated(context: typer.Context) -> list[str]:
     """Return the options on the command line that a plan says already."""
     found = [parameter for parameter in context.command.params if parameter.name in PLANNED]
     sources = [(parameter.opts[0], context.get_parameter_source(parameter.name or "")) for parameter in found]

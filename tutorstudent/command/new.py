@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from tutorstudent.core.files.registry import ROLES, Registry
-from tutorstudent.templates.naming import names_of
+from tutorstudent.templates.naming import make_names
 from tutorstudent.templates.writing import write_plugin
 
 
@@ -23,7 +23,7 @@ def new(
     as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
 ) -> None:
     """Write a package with a small working part, its tests and a pipeline, ready to be installed."""
-    names = names_of(role, name, Registry.discover())
+    names = make_names(role, name, Registry.discover())
     folder = out or Path(names.name)
     written = [str(path) for path in write_plugin(names, folder)]
     if as_json:

@@ -10,9 +10,9 @@ from typing import Annotated, Any
 
 import typer
 
-from tutorstudent.core.files.optiontable import OptionRow, option_rows
+from tutorstudent.core.files.optiontable import OptionRow, list_options
 from tutorstudent.core.files.registry import ROLES, Installed, Registry
-from tutorstudent.core.words.errors import UnknownPlugin, listing, suggestion
+from tutorstudent.core.words.errors import UnknownPlugin, list_names, suggest
 
 WIDTH = 80
 IN_LISTS = {"condition": "conditions", "observer": "observers"}
@@ -27,9 +27,9 @@ def info(
     registry = Registry.discover()
     found = find(name, role, registry)
     if as_json:
-        typer.echo(json.dumps(as_values(found, registry), indent=2))
+        typer.echo(json.dumps(collect_values(found, registry), indent=2))
         return
-    for line in page(found, registry):
+    for line in format_page(found, registry):
         typer.echo(line)
 
 
@@ -40,23 +40,23 @@ def find(name: str, role: str | None, registry: Registry) -> Installed:
         UnknownPlugin: if there is none, or several; the message lists them.
     """
     if role is not None and role not in ROLES:
-        raise UnknownPlugin(f"there is no role '{role}'{suggestion(role, ROLES)}. Roles: {listing(ROLES)}.")
+        raise UnknownPlugin(f"there is no role '{role}'{suggest(role, ROLES)}. Roles: {list_names(ROLES)}.")
     found = [item for item in registry if item.cls.name == name and role in (None, item.cls.role)]
     if len(found) > 1:
-        roles = listing(item.cls.role for item in found)
+        roles = list_names(item.cls.role for item in found)
         raise UnknownPlugin(f"several components are named '{name}': {roles}. Choose one with --role.")
     if not found and role is not None:
         registry.get(role, name)  # says what there is instead
     if not found:
         registry.check_not_broken(name)
         raise UnknownPlugin(
-            f"no component is named '{name}'{suggestion(name, {item.cls.name for item in registry})}."
+            f"no component is named '{name}'{suggest(name, {item.cls.name for item in registry})}."
             f" `tutorstudent plugins list` shows all.{registry.suspects()}"
         )
     return found[0]
 
 
-def as_values(found: Installed, registry: Registry) -> dict[str, Any]:
+def collect_values(found: Installed, registry: Registry) -> dict[str, Any]:
     """Return what is known about a component as plain values."""
     cls = found.cls
     return {
@@ -66,14 +66,14 @@ def as_values(found: Installed, registry: Registry) -> dict[str, Any]:
         "distribution": found.distribution,
         "class": f"{cls.__module__}.{cls.__qualname__}",
         "description": inspect.cleandoc(cls.__doc__ or ""),
-        "options": [row._asdict() for row in option_rows(cls)],
-        "yaml": yaml_line(found, registry),
+        "options": [row._asdict() for row in list_options(cls)],
+        "yaml": format_yaml(found, registry),
     }
 
 
-def page(found: Installed, registry: Registry) -> Iterator[str]:
+def format_page(found: Installed, registry: Registry) -> Iterator[str]:
     """Yield the lines of a description for people."""
-    cls, rows = found.cls, option_rows(found.cls)
+    cls, rows = found.cls, list_options(found.cls)
     yield f"{cls.role} {cls.name}"
     yield f"plugin '{found.entry_point}' of {found.distribution}, class {cls.__module__}.{cls.__qualname__}"
     yield ""
@@ -86,23 +86,25 @@ def page(found: Installed, registry: Registry) -> Iterator[str]:
         yield from textwrap.wrap(head, WIDTH, initial_indent="  ", subsequent_indent="      ")
         yield from textwrap.wrap(row.description, WIDTH, initial_indent="      ", subsequent_indent="      ")
         if row.role:
-            names = listing(item.cls.name for item in registry.of(row.role))
+            names = list_names(item.cls.name for item in registry.of(row.role))
             yield from textwrap.wrap(f"one of: {names}", WIDTH, initial_indent="      ", subsequent_indent="      ")
     yield ""
     yield "In a pipeline:"
-    yield f"  {yaml_line(found, registry)}"
+    yield f"  {format_yaml(found, registry)}"
 
 
-def yaml_line(found: Installed, registry: Registry) -> str:
+def format_yaml(found: Installed, registry: Registry) -> str:
     """Return the line that names a component in a pipeline; what is required and unknown stands as ``...``."""
     role, name = found.cls.role, found.cls.name
-    needed = [f"{row.name}: {_example(row, found, registry)}" for row in option_rows(found.cls) if row.required]
+    needed = [f"{row.name}: {_make_example(row, found, registry)}" for row in list_options(found.cls) if row.required]
     part = f"{{use: {name}, {', '.join(needed)}}}" if needed else name
     return f"{IN_LISTS[role]}: [{part}]" if role in IN_LISTS else f"{role}: {part}"
 
 
-def _example(row: OptionRow, found: Installed, registry: Registry) -> str:
-    plain = [item for item in registry.of(row.role or "") if not any(other.required for other in option_rows(item.cls))]
+def _make_example(row: OptionRow, found: Installed, registry: Registry) -> str:
+    plain = [
+        item for item in registry.of(row.role or "") if not any(other.required for other in list_options(item.cls))
+    ]
     near = sorted(plain, key=lambda item: item.distribution != found.distribution)
     name = near[0].cls.name if near else "..."
     return f"[{name}]" if row.type.startswith("list") else name

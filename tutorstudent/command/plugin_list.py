@@ -28,17 +28,17 @@ def plugins_list(
     """List the installed components, and the plugins that could not be loaded with reason and remedy."""
     registry = Registry.discover()
     if as_json:
-        typer.echo(json.dumps(as_values(registry), indent=2))
+        typer.echo(json.dumps(collect_values(registry), indent=2))
     else:
         # A line each where no person reads, so that grep finds a name with what it is.
         width = shutil.get_terminal_size().columns if sys.stdout.isatty() else math.inf
-        typer.echo("\n".join(page(registry, width)))
+        typer.echo("\n".join(format_page(registry, width)))
         _print_broken(registry)
     if strict and registry.broken:
         raise typer.Exit(1)
 
 
-def as_values(registry: Registry) -> dict[str, Any]:
+def collect_values(registry: Registry) -> dict[str, Any]:
     """Return the list as plain values."""
     return {
         "components": [
@@ -47,7 +47,7 @@ def as_values(registry: Registry) -> dict[str, Any]:
                 "name": cls.name,
                 "plugin": entry_point,
                 "distribution": distribution,
-                "description": summary(cls),
+                "description": read_first_line(cls),
             }
             for cls, entry_point, distribution in registry
         ],
@@ -63,12 +63,12 @@ def as_values(registry: Registry) -> dict[str, Any]:
     }
 
 
-def summary(cls: type[Any]) -> str:
+def read_first_line(cls: type[Any]) -> str:
     """Return the first line of a class's documentation."""
     return (cls.__doc__ or "").strip().split("\n")[0]
 
 
-def page(registry: Registry, width: float) -> Iterator[str]:
+def format_page(registry: Registry, width: float) -> Iterator[str]:
     """Yield the lines of the list for people, a paragraph for each distribution. No name is ever cut.
 
     Args:
@@ -78,20 +78,20 @@ def page(registry: Registry, width: float) -> Iterator[str]:
     found = list(registry)
     for distribution in dict.fromkeys(item.distribution for item in found):
         here = [item for item in found if item.distribution == distribution]
-        names = _aligned([HEADER[:-1], *((cls.role, cls.name, plugin) for cls, plugin, _ in here)])
-        texts = [HEADER[-1], *(summary(cls) for cls, _, _ in here)]
+        names = _align([HEADER[:-1], *((cls.role, cls.name, plugin) for cls, plugin, _ in here)])
+        texts = [HEADER[-1], *(read_first_line(cls) for cls, _, _ in here)]
         yield distribution
         for name, text in zip(names, texts, strict=True):
-            yield from _described(f"{INDENT}{name}{INDENT}", text, width)
+            yield from _describe(f"{INDENT}{name}{INDENT}", text, width)
         yield ""
 
 
-def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+def _align(rows: Sequence[Sequence[str]]) -> list[str]:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [INDENT.join(word.ljust(width) for word, width in zip(row, widths, strict=True)) for row in rows]
 
 
-def _described(name: str, text: str, width: float) -> list[str]:
+def _describe(name: str, text: str, width: float) -> list[str]:
     """Return the lines of a component: the description beside its name, or below it where there is little room."""
     if width == math.inf:
         return [f"{name}{text}".rstrip()]
@@ -105,6 +105,6 @@ def _described(name: str, text: str, width: float) -> list[str]:
 
 def _print_broken(registry: Registry) -> None:
     for broken in registry.broken:
-        typer.echo(f"not loaded: {broken.told()}")
+        typer.echo(f"not loaded: {broken.explain()}")
         if is_verbose():
             typer.echo(broken.trace)

@@ -17,7 +17,7 @@ from rich.table import Table
 from rich.text import Text
 
 from tutorstudent.command.check import check
-from tutorstudent.command.common_options import Trace, Verbose, everywhere, heed, is_verbose
+from tutorstudent.command.common_options import Trace, Verbose, add_common_options, heed, is_verbose
 from tutorstudent.command.compare import compare, report
 from tutorstudent.command.new import new
 from tutorstudent.command.plugin_info import info
@@ -26,8 +26,8 @@ from tutorstudent.command.progress_bar import ProgressBar
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.rundir import Finished, prepare, run_pipeline, write_run, writing
-from tutorstudent.core.files.schema import pipeline_schema
+from tutorstudent.core.files.rundir import Finished, explain_write_errors, prepare, run_pipeline, write_run
+from tutorstudent.core.files.schema import make_schema
 from tutorstudent.core.files.settings import read_settings
 from tutorstudent.core.words.errors import TutorStudentError
 
@@ -39,12 +39,12 @@ app = typer.Typer(
 )
 plugins = typer.Typer(help="What is installed.", no_args_is_help=True)
 app.add_typer(plugins, name="plugins")
-app.command()(everywhere(compare))
-app.command()(everywhere(report))
-plugins.command("list")(everywhere(plugins_list))
-plugins.command("info")(everywhere(info))
-plugins.command("check")(everywhere(check))
-plugins.command("new")(everywhere(new))
+app.command()(add_common_options(compare))
+app.command()(add_common_options(report))
+plugins.command("list")(add_common_options(plugins_list))
+plugins.command("info")(add_common_options(info))
+plugins.command("check")(add_common_options(check))
+plugins.command("new")(add_common_options(new))
 
 PipelineFile = Annotated[Path, typer.Argument(help="a pipeline in YAML")]
 Setting = Annotated[
@@ -70,7 +70,7 @@ def program(verbose: Verbose = False, trace: Trace = False, _version: Version = 
 
 
 @app.command()
-@everywhere
+@add_common_options
 def run(
     pipeline: PipelineFile,
     decisions: Annotated[int | None, typer.Option(min=1, help="how many decisions, instead of the file's")] = None,
@@ -85,7 +85,7 @@ def run(
     chosen = Pipeline.read(pipeline).replaced(changes)
     directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
     prepare(directory)
-    finished = _finished(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
+    finished = _run_with_progress(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
     note = write_run(directory, finished)
     _print_summary(finished.summary)
     if note:
@@ -97,22 +97,22 @@ def run(
 
 
 @app.command()
-@everywhere
+@add_common_options
 def schema(
     out: Annotated[Path | None, typer.Option(help="write it to this file, and say how a pipeline names it")] = None,
 ) -> None:
     """Print a JSON Schema of pipelines, composed from the installed plugins."""
-    text = json.dumps(pipeline_schema(Registry.discover()), indent=2)
+    text = json.dumps(make_schema(Registry.discover()), indent=2)
     if out is None:
         _say(text)
         return
-    with writing(out):
+    with explain_write_errors(out):
         out.write_text(f"{text}\n", encoding="utf-8")
     _say(f"written to {out}; editors use it where a pipeline begins with the line")
     _say(f"# yaml-language-server: $schema={out.name}")
 
 
-def _finished(pipeline: Pipeline, title: str, directory: Path) -> Finished:
+def _run_with_progress(pipeline: Pipeline, title: str, directory: Path) -> Finished:
     try:
         with ProgressBar(title) as bar:
             return run_pipeline(pipeline, [bar])

@@ -9,10 +9,10 @@ import numpy as np
 from tutorstudent.core.roles.hookspecs import hookimpl
 from tutorstudent.core.roles.leaves import Codec, Vector
 from tutorstudent.core.roles.part import Component
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 from tutorstudent.core.words.proposals import KindProposal
 from tutorstudent.core.words.records import GradedAction
-from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, finite_values, from_bits, to_bits
+from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, from_bits, require_finite, to_bits
 
 
 class KindLevelAmpbit(Codec[KindProposal]):
@@ -40,13 +40,13 @@ class KindLevelAmpbit(Codec[KindProposal]):
         kind = target.action.kind
         if kind not in self._bits:
             raise ContractError(
-                f"codec '{self.name}': no code for the kind '{kind}'{suggestion(kind, self._kinds)}; "
-                f"the tutor's {self.action_class.__name__} has {listing(self._kinds)}."
+                f"codec '{self.name}': no code for the kind '{kind}'{suggest(kind, self._kinds)}; "
+                f"the tutor's {self.action_class.__name__} has {list_names(self._kinds)}."
             )
         return np.array(self._bits[kind] + self._grade.encode(target))
 
     def decode(self, outputs: Vector) -> KindProposal:
-        values = finite_values(outputs, self.width)
+        values = require_finite(outputs, self.width)
         number = from_bits(values[: self._kind_width])
         level, ampbit = self._grade.decode(values[self._kind_width :])
         kind = self._kinds[number] if number < len(self._kinds) else None

@@ -14,7 +14,7 @@ from tutorstudent.core.roles.leaves import Codec, Encoder, Vector
 from tutorstudent.core.roles.part import Field, Learned
 from tutorstudent.core.roles.part_options import Part
 from tutorstudent.core.words.actions import ActionT
-from tutorstudent.core.words.errors import ContractError, PipelineError, listing
+from tutorstudent.core.words.errors import ContractError, PipelineError, list_names
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal, Proposal, ProposalT
 from tutorstudent.core.words.records import Lesson, Moment, StateT
 from tutorstudent.plugins.codecs import KindLevelAmpbit
@@ -55,12 +55,12 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
         """Learn the targets, shape (codec.width,), for the inputs, shape (encoder.width,)."""
 
     @abc.abstractmethod
-    def learned(self) -> Learned:
+    def export(self) -> Learned:
         """Return what was learned, without the parts: new arrays and plain values, by name."""
 
     @abc.abstractmethod
     def restore(self, learned: Learned) -> None:
-        """Take back what `learned` returned.
+        """Take back what `export` returned.
 
         Raises:
             ContractError: It does not fit; nothing was changed.
@@ -83,10 +83,10 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
     def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
         if lesson.moment.number != self._number:
             self._encode(lesson.moment)
-        self.learn(self._inputs, _checked(self.codec, self.codec.encode(lesson.target), self.codec.width))
+        self.learn(self._inputs, _check(self.codec, self.codec.encode(lesson.target), self.codec.width))
 
     def state_dict(self) -> Learned:
-        return {**super().state_dict(), **self.learned()}
+        return {**super().state_dict(), **self.export()}
 
     def load_state_dict(self, state: Learned) -> None:
         parts = dict(self.parts())
@@ -95,10 +95,10 @@ class CodedStudent(Student[StateT, ActionT, ProposalT], Generic[StateT, ActionT,
 
     def _encode(self, moment: Moment[StateT, ActionT]) -> None:
         self._number = None  # only what was proposed for is known again
-        np.copyto(self._inputs, _checked(self.encoder, self.encoder.encode(moment), self.encoder.width))
+        np.copyto(self._inputs, _check(self.encoder, self.encoder.encode(moment), self.encoder.width))
 
 
-def _checked(part: Encoder[Any, Any] | Codec[Any], numbers: Vector, width: int) -> Vector:
+def _check(part: Encoder[Any, Any] | Codec[Any], numbers: Vector, width: int) -> Vector:
     # One NaN that reaches a network's weights stays there, and one number is broadcast to all.
     if numbers.shape != (width,):
         raise ContractError(f"{part.role} '{part.name}' returned the shape {numbers.shape}; its width says ({width},).")
@@ -113,7 +113,7 @@ _UNTAUGHT: dict[type[Any], Proposal] = {
 }
 
 
-def untaught(codec: Codec[ProposalT]) -> ProposalT:
+def propose_untaught(codec: Codec[ProposalT]) -> ProposalT:
     """Return what a student proposes before it was taught anything: no kind, level 0, ampbit 1.
 
     It leaves the tutor's action to the amplifier, as a student with another kind would (Thesis 3.3.3). Choice, see
@@ -123,6 +123,6 @@ def untaught(codec: Codec[ProposalT]) -> ProposalT:
         PipelineError: The codec's proposals are of a type that is not known here.
     """
     if codec.proposal not in _UNTAUGHT:
-        known = listing(proposal.__name__ for proposal in _UNTAUGHT)
+        known = list_names(proposal.__name__ for proposal in _UNTAUGHT)
         raise PipelineError(f"codec '{codec.name}' proposes {codec.proposal.__name__}; this student can say {known}.")
     return cast(ProposalT, _UNTAUGHT[codec.proposal])

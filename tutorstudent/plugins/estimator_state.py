@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.words.errors import ContractError, listing
+from tutorstudent.core.words.errors import ContractError, list_names
 from tutorstudent.plugins.learned import take_arrays
 
 Number = bool | int | float | np.number | np.bool
@@ -39,7 +39,7 @@ def export_state(value: Any, where: str) -> Any:
         return value.item() if isinstance(value, np.generic) else value
     if _is_numbers(value):
         return np.array(value, dtype=np.float64)
-    return {name: export_state(item, f"{where}.{name}") for name, item in _members(value, where).items()}
+    return {name: export_state(item, f"{where}.{name}") for name, item in _find_members(value, where).items()}
 
 
 def fill_state(template: Any, saved: Any, where: str) -> Any:
@@ -56,9 +56,9 @@ def fill_state(template: Any, saved: Any, where: str) -> Any:
     if _is_array(template):
         return _fill_array(template, saved, where)
     if isinstance(template, str):
-        return _same(template, saved, where)
+        return _fill_text(template, saved, where)
     if isinstance(template, Number):
-        return _number(template, saved, where)
+        return _fill_number(template, saved, where)
     if _is_numbers(template):
         return type(template)(take_arrays(where, {"values": saved}, {"values": (None,)})["values"].tolist())
     return _fill_members(template, saved, where)
@@ -72,8 +72,8 @@ def _is_numbers(value: Any) -> bool:
     return isinstance(value, list | tuple) and len(value) > 0 and all(isinstance(item, Number) for item in value)
 
 
-def _members(value: Any, where: str) -> dict[str, Any]:
-    found = _parts(value)
+def _find_members(value: Any, where: str) -> dict[str, Any]:
+    found = _find_parts(value)
     if found is None or where.count(".") > _DEEPEST:
         raise ContractError(
             f"{where} is a {type(value).__name__}; only arrays, plain values and objects made of these can be saved. "
@@ -82,7 +82,7 @@ def _members(value: Any, where: str) -> dict[str, Any]:
     return {str(name): item for name, item in found.items() if not isinstance(item, _LEFT_OUT)}
 
 
-def _parts(value: Any) -> Mapping[Any, Any] | None:
+def _find_parts(value: Any) -> Mapping[Any, Any] | None:
     if isinstance(value, list | tuple):
         return dict(enumerate(value))
     if isinstance(value, dict):
@@ -104,13 +104,13 @@ def _fill_array(template: Any, saved: Any, where: str) -> Any:
     return template
 
 
-def _same(template: str, saved: Any, where: str) -> str:
+def _fill_text(template: str, saved: Any, where: str) -> str:
     if saved != template:
         raise ContractError(f"{where}: found {saved!r}, the estimator has '{template}'; was it made with other params?")
     return template
 
 
-def _number(template: Any, saved: Any, where: str) -> Any:
+def _fill_number(template: Any, saved: Any, where: str) -> Any:
     kind = type(template)
     if isinstance(saved, Number):
         try:
@@ -123,12 +123,12 @@ def _number(template: Any, saved: Any, where: str) -> Any:
 
 
 def _fill_members(template: Any, saved: Any, where: str) -> Any:
-    members = _members(template, where)
+    members = _find_members(template, where)
     offered = saved if isinstance(saved, Mapping) else {}
     needed = [name for name, item in members.items() if name in offered or export_state(item, where) != {}]
     if not isinstance(saved, Mapping) or sorted(needed) != sorted(saved):
-        found = listing(saved) if isinstance(saved, Mapping) else f"a {type(saved).__name__}"
-        raise ContractError(f"{where}: found {found}; it takes {listing(needed)}.")
+        found = list_names(saved) if isinstance(saved, Mapping) else f"a {type(saved).__name__}"
+        raise ContractError(f"{where}: found {found}; it takes {list_names(needed)}.")
     filled = {name: fill_state(members[name], saved[name], f"{where}.{name}") for name in needed}
     return _put(template, filled)
 

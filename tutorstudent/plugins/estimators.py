@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.words.errors import PipelineError, listing, suggestion
+from tutorstudent.core.words.errors import PipelineError, list_names, suggest
 
 _EXAMPLES = "for example sklearn.neural_network.MLPRegressor or sklearn.linear_model.SGDRegressor"
 
@@ -29,13 +29,13 @@ def find_estimator(path: str) -> type[Any]:
         raise PipelineError(
             "student 'sklearn' needs scikit-learn; install it with: pip install 'tutorstudent[sklearn]'"
         ) from None
-    found = _imported(path)
+    found = _import(path)
     if not (isinstance(found, type) and issubclass(found, base.BaseEstimator) and hasattr(found, "partial_fit")):
         raise PipelineError(f"estimator '{path}' is no scikit-learn estimator with partial_fit; use {_EXAMPLES}.")
     return found
 
 
-def _imported(path: str) -> Any:
+def _import(path: str) -> Any:
     module_name, _, name = path.rpartition(".")
     try:
         module = importlib.import_module(module_name)
@@ -44,8 +44,8 @@ def _imported(path: str) -> Any:
     if not hasattr(module, name):
         online = [key for key, value in vars(module).items() if hasattr(value, "partial_fit")]
         raise PipelineError(
-            f"estimator '{path}': module '{module_name}' has no '{name}'{suggestion(name, online)}; "
-            f"what has partial_fit there: {listing(online)}."
+            f"estimator '{path}': module '{module_name}' has no '{name}'{suggest(name, online)}; "
+            f"what has partial_fit there: {list_names(online)}."
         )
     return getattr(module, name)
 
@@ -70,54 +70,54 @@ def make_estimator(path: str, params: Mapping[str, Any], widths: tuple[int, int]
     unknown = [name for name in params if name not in known]
     if unknown:
         raise PipelineError(
-            f"estimator '{path}' has no parameter '{unknown[0]}'{suggestion(unknown[0], known)}; "
-            f"parameters: {listing(known)}."
+            f"estimator '{path}' has no parameter '{unknown[0]}'{suggest(unknown[0], known)}; "
+            f"parameters: {list_names(known)}."
         )
     seeded = {"random_state": int(rng.integers(2**31 - 1))} if "random_state" in known else {}
     try:
-        return _of_all_outputs(cls(**{**seeded, **params}), widths)
+        return _cover_outputs(cls(**{**seeded, **params}), widths)
     except (TypeError, ValueError) as error:
         raise PipelineError(f"estimator '{path}' cannot learn {widths[0]} -> {widths[1]} numbers: {error}") from None
 
 
-def _of_all_outputs(estimator: Any, widths: tuple[int, int]) -> Any:
+def _cover_outputs(estimator: Any, widths: tuple[int, int]) -> Any:
     from sklearn.base import is_regressor
 
     if not is_regressor(estimator):
         raise TypeError(f"it is no regressor; use {_EXAMPLES}.")
     try:
-        fitted(estimator, widths)
+        copy_fitted(estimator, widths)
     except ValueError as error:
-        return _repeated(estimator, widths, error)
+        return _repeat(estimator, widths, error)
     return estimator
 
 
-def _repeated(estimator: Any, widths: tuple[int, int], reason: ValueError) -> Any:
+def _repeat(estimator: Any, widths: tuple[int, int], reason: ValueError) -> Any:
     from sklearn.multioutput import MultiOutputRegressor
 
     repeated = MultiOutputRegressor(estimator=estimator)
     try:
-        fitted(repeated, widths)
+        copy_fitted(repeated, widths)
     except (TypeError, ValueError):
         raise reason from None
     return repeated
 
 
-def unfitted(estimator: Any) -> Any:
+def copy_unfitted(estimator: Any) -> Any:
     """Return a copy of the estimator with its parameters and nothing learned."""
     from sklearn.base import clone
 
     return clone(estimator)
 
 
-def fitted(estimator: Any, widths: tuple[int, int]) -> Any:
+def copy_fitted(estimator: Any, widths: tuple[int, int]) -> Any:
     """Return a copy of the estimator that was taught one example of zeros: it has everything that it will ever have.
 
     Raises:
         ValueError: It does not learn the widths, or its parameters are wrong.
     """
     inputs, outputs = widths
-    copy = unfitted(estimator)
+    copy = copy_unfitted(estimator)
     teach(copy, np.zeros(inputs), np.zeros(outputs))
     answer = ask(copy, np.zeros(inputs))
     if answer.shape != (outputs,):

@@ -50,7 +50,7 @@ class IntervalOptions(part.Options):
     evaluator: Part[Evaluator[Any, Any]] = Field(default_factory=Conditions, description="says what is taught")
 
     @model_validator(mode="after")
-    def _not_empty(self) -> IntervalOptions:
+    def _refuse_empty(self) -> IntervalOptions:
         if self.end is not None and self.end <= self.begin:
             raise ValueError(f"end ({self.end}) must be more than begin ({self.begin}), or nothing is ever taught")
         return self

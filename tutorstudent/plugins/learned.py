@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.roles.part import Learned
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 Shape = tuple[int | None, ...]
 """The lengths of an array's axes; None allows any length."""
@@ -31,15 +31,15 @@ def take_arrays(owner: str, state: Learned, shapes: Mapping[str, Shape]) -> dict
     for name in state:
         if name not in shapes:
             raise ContractError(
-                f"{owner} learned nothing named '{name}'{suggestion(name, shapes)}; it takes {listing(shapes)}."
+                f"{owner} learned nothing named '{name}'{suggest(name, shapes)}; it takes {list_names(shapes)}."
             )
     for name in shapes:
         if name not in state:
-            raise ContractError(f"{owner} misses '{name}'; it takes {listing(shapes)}, found {listing(state)}.")
-    return {name: _array(f"{owner} cannot load '{name}'", state[name], shape) for name, shape in shapes.items()}
+            raise ContractError(f"{owner} misses '{name}'; it takes {list_names(shapes)}, found {list_names(state)}.")
+    return {name: _take_array(f"{owner} cannot load '{name}'", state[name], shape) for name, shape in shapes.items()}
 
 
-def _array(problem: str, value: object, shape: Shape) -> NDArray[np.float64]:
+def _take_array(problem: str, value: object, shape: Shape) -> NDArray[np.float64]:
     try:
         array = np.asarray(value)
     except ValueError as error:

@@ -39,7 +39,7 @@ def from_bits(values: Sequence[float]) -> int:
     return number
 
 
-def finite_values(outputs: Vector, width: int) -> list[float]:
+def require_finite(outputs: Vector, width: int) -> list[float]:
     """Return a student's outputs as floats.
 
     Raises:
@@ -170,18 +170,18 @@ class GradeCode:
         """
         grade = (target.level, target.ampbit)
         if grade not in self._codes:
-            self._codes[grade] = self._encoded(*grade)
+            self._codes[grade] = self._encode(*grade)
         return self._codes[grade]
 
     def decode(self, values: Sequence[float]) -> tuple[int, bool]:
         """Return the level and the ampbit that finite numbers stand for."""
         return self._level.decode(values[:-1]), values[-1] > THRESHOLD
 
-    def _encoded(self, level: int, ampbit: bool) -> tuple[float, ...]:
+    def _encode(self, level: int, ampbit: bool) -> tuple[float, ...]:
         if level < 0:
             raise ValueError(f"level {level} cannot be taught; levels start at 0.")
-        return (*self._level.encode(self._taught(level)), float(ampbit))
+        return (*self._level.encode(self._fit_level(level)), float(ampbit))
 
-    def _taught(self, level: int) -> int:
+    def _fit_level(self, level: int) -> int:
         highest = self._level.max_level
         return level % (highest + 1) if self._wraps else min(level, highest)

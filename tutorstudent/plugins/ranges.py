@@ -79,7 +79,7 @@ class Ranges(Encoder[Any, Any]):
         for place, name in enumerate(self._components):
             numbers[place] = getattr(moment.tutor_action, name)
         if self.options.ranges:
-            state = _array(moment.state if self._part is None else self._part(moment.state))
+            state = _read_array(moment.state if self._part is None else self._part(moment.state))
             if state.size != len(numbers) - own:
                 raise ValueError(f"the state has {state.size} numbers; {len(self.options.ranges)} ranges are declared.")
             numbers[own:] = state.ravel()
@@ -87,7 +87,7 @@ class Ranges(Encoder[Any, Any]):
         return bits.ravel()
 
 
-def _array(state: Any) -> Vector:
+def _read_array(state: Any) -> Vector:
     numbers = state
     if isinstance(state, Mapping):
         numbers = list(state.values())

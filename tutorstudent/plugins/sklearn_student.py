@@ -11,7 +11,7 @@ from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.proposals import ProposalT
 from tutorstudent.core.words.records import StateT
 from tutorstudent.plugins import estimators
-from tutorstudent.plugins.coded_student import CodedStudent, untaught
+from tutorstudent.plugins.coded_student import CodedStudent, propose_untaught
 from tutorstudent.plugins.estimator_state import export_state, fill_state
 
 
@@ -19,7 +19,7 @@ class SklearnStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, A
     """Any scikit-learn regressor with ``partial_fit`` ("any type of function approximator", Thesis 3.2.2.2).
 
     An estimator of one output is repeated for each. Before its first lesson it proposes as one that was taught nothing
-    (see `untaught`). What it learned can be saved if it is made of arrays and plain values, as that of
+    (see `propose_untaught`). What it learned can be saved if it is made of arrays and plain values, as that of
     ``MLPRegressor`` and ``SGDRegressor`` is.
     """
 
@@ -37,7 +37,7 @@ class SklearnStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, A
 
     def setup(self) -> None:
         super().setup()
-        self._untaught = untaught(self.codec)
+        self._untaught = propose_untaught(self.codec)
         self._widths = (self.encoder.width, self.codec.width)
         self._prototype = estimators.make_estimator(self.options.estimator, self.options.params, self._widths, self.rng)
         self._learner: Any = None
@@ -50,18 +50,18 @@ class SklearnStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, A
 
     def learn(self, inputs: Vector, targets: Vector) -> None:
         if self._learner is None:
-            self._learner = estimators.unfitted(self._prototype)
+            self._learner = estimators.copy_unfitted(self._prototype)
         for _ in range(self.options.teaching_rate):
             estimators.teach(self._learner, inputs, targets)
 
-    def learned(self) -> Learned:
+    def export(self) -> Learned:
         return {} if self._learner is None else {"estimator": export_state(self._learner, self._where)}
 
     def restore(self, learned: Learned) -> None:
         if not learned:
             self._learner = None
             return
-        template = estimators.fitted(self._prototype, self._widths)
+        template = estimators.copy_fitted(self._prototype, self._widths)
         self._learner = fill_state({"estimator": template}, learned, self._where)["estimator"]
 
     @property

@@ -13,12 +13,12 @@ from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import ProposalT
 from tutorstudent.core.words.records import StateT
-from tutorstudent.plugins.coded_student import CodedStudent, untaught
+from tutorstudent.plugins.coded_student import CodedStudent, propose_untaught
 from tutorstudent.plugins.learned import take_arrays
 
 
 class TableStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, ActionT, ProposalT]):
-    """Answer with the last lesson for exactly these inputs, or as one that was taught nothing (see `untaught`).
+    """Answer with the last lesson for exactly these inputs, or as one that was taught nothing (see `propose_untaught`).
 
     It never generalizes and never forgets: one row for each encoding that a lesson was about, so give it an encoder
     with few of them. "Any type of function approximator" will do (Thesis 3.2.2.2); this one is the plainest.
@@ -28,17 +28,17 @@ class TableStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, Act
 
     def setup(self) -> None:
         super().setup()
-        self._untaught = untaught(self.codec)
+        self._untaught = propose_untaught(self.codec)
         self._outputs: dict[bytes, Vector] = {}
 
     def answer(self, inputs: Vector) -> ProposalT:
-        outputs = self._outputs.get(_key(inputs))
+        outputs = self._outputs.get(_make_key(inputs))
         return self._untaught if outputs is None else self.codec.decode(outputs)
 
     def learn(self, inputs: Vector, targets: Vector) -> None:
-        self._outputs[_key(inputs)] = targets.copy()
+        self._outputs[_make_key(inputs)] = targets.copy()
 
-    def learned(self) -> Learned:
+    def export(self) -> Learned:
         rows = len(self._outputs)
         inputs = np.frombuffer(b"".join(self._outputs), dtype=np.float64).reshape(rows, self.encoder.width)
         outputs = np.array(list(self._outputs.values())).reshape(rows, self.codec.width)
@@ -50,10 +50,10 @@ class TableStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, Act
         inputs, outputs = taken["inputs"], taken["outputs"]
         if len(inputs) != len(outputs):
             raise ContractError(f"{owner} cannot load {len(inputs)} inputs with {len(outputs)} outputs.")
-        self._outputs = {_key(row): answer for row, answer in zip(inputs, outputs, strict=True)}
+        self._outputs = {_make_key(row): answer for row, answer in zip(inputs, outputs, strict=True)}
 
 
-def _key(inputs: Vector) -> bytes:
+def _make_key(inputs: Vector) -> bytes:
     return (inputs + 0.0).tobytes()  # so that -0.0 and 0.0 are one
 
 

@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 
-from tutorstudent.core.files.durable import PARTIAL, alone, remove_partial
+from tutorstudent.core.files.durable import PARTIAL, lock_folder, remove_partial
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.rundir import writing
+from tutorstudent.core.files.rundir import explain_write_errors
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.study.plans.constant_level import FOLDER, settled
+from tutorstudent.study.plans.constant_level import FOLDER, settle
 from tutorstudent.study.plans.plan import Job, Plan
-from tutorstudent.study.plans.planfile import FILE, as_data, check_versions, differences, load_plan, save_plan
-from tutorstudent.study.plans.resolving import reread, sketch_of
+from tutorstudent.study.plans.planfile import FILE, check_versions, find_differences, load_plan, make_data, save_plan
+from tutorstudent.study.plans.resolving import draw_sketch, reread
 from tutorstudent.study.runs.backends import LOKY, Backend, check_backend
 from tutorstudent.study.runs.jobs import run_jobs
-from tutorstudent.study.runs.progress import shown
+from tutorstudent.study.runs.progress import show_progress
 from tutorstudent.study.runs.results import Study, pending, read_study
 from tutorstudent.study.runs.searching import find_levels, keep_levels
 from tutorstudent.study.runs.sketches import save_sketch
@@ -49,10 +49,10 @@ def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY
     """
     check_backend(backend)
     begin(plan, folder)
-    with alone(folder):
-        with writing(folder):
+    with lock_folder(folder):
+        with explain_write_errors(folder):
             remove_partial(folder)
-        plan = _all(plan, folder, workers, backend)
+        plan = _run_all(plan, folder, workers, backend)
     return read_study(folder, plan)
 
 
@@ -62,13 +62,13 @@ def begin(plan: Plan, folder: Path) -> None:
     Raises:
         PipelineError: if the folder holds something else, another plan, or cannot be written.
     """
-    with writing(folder):
+    with explain_write_errors(folder):
         there = (folder / FILE).exists()
     if there:
         check_same(plan, folder)
     else:
         check_folder(folder)
-        with writing(folder):
+        with explain_write_errors(folder):
             folder.mkdir(parents=True, exist_ok=True)
             save_plan(plan, folder)
     _draw(plan, folder)
@@ -80,7 +80,7 @@ def check_folder(folder: Path) -> None:
     Raises:
         PipelineError: if it does, or cannot be read.
     """
-    with writing(folder):
+    with explain_write_errors(folder):
         if folder.exists() and not folder.is_dir():
             raise PipelineError(f"--out {folder}: there is a file of that name; give a folder.")
         found = [path.name for path in folder.iterdir()] if folder.is_dir() else []
@@ -102,8 +102,9 @@ def check_same(plan: Plan, folder: Path) -> None:
     check_versions(folder)
     there = load_plan(folder)
     if there != plan:
+        differences = find_differences(make_data(there), make_data(plan))
         raise PipelineError(
-            f"{folder}: its {FILE} is about another study. What differs: {differences(as_data(there), as_data(plan))}. "
+            f"{folder}: its {FILE} is about another study. What differs: {differences}. "
             "Leave the pipelines out to go on with the one that is there, or give another folder."
         )
 
@@ -114,27 +115,27 @@ def _draw(plan: Plan, folder: Path) -> None:
         path = folder / "sketches" / f"{environment.name}.json"
         if not path.exists():
             values = environment.variants[0].pipeline | {"seed": plan.seeds[0]}
-            sketch = sketch_of(reread(environment.name, values, registry))
-            with writing(folder):
+            sketch = draw_sketch(reread(environment.name, values, registry))
+            with explain_write_errors(folder):
                 save_sketch(path, sketch)
 
 
-def _all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
+def _run_all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     """Run the search, if there is one, and then everything else; return the plan with what was found."""
     sitting, workforce = Sitting(folder, workers), (workers, backend)
     if plan.search is not None:
-        _run("search: constant levels", plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
+        _run_jobs("search: constant levels", plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
         searched = find_levels(plan.search, folder)
-        with writing(folder):
+        with explain_write_errors(folder):
             keep_levels(plan, searched, folder)
-        plan = settled(plan, searched)
-    _run(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
+        plan = settle(plan, searched)
+    _run_jobs(f"runs of {plan.decisions} decisions", plan.jobs(), folder, sitting, workforce)
     return plan
 
 
-def _run(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
+def _run_jobs(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
     left = pending(folder, jobs)
     with closing(run_jobs(left, folder, *workforce)) as results:
-        for _ in shown(results, title, len(jobs), done=len(jobs) - len(left)):
-            with writing(folder):
+        for _ in show_progress(results, title, len(jobs), done=len(jobs) - len(left)):
+            with explain_write_errors(folder):
                 sitting.note()

@@ -9,7 +9,7 @@ from importlib import metadata
 from typing import NamedTuple
 
 from tutorstudent.core.files.registry import ROLES, Registry
-from tutorstudent.core.words.errors import PipelineError, listing, suggestion
+from tutorstudent.core.words.errors import PipelineError, list_names, suggest
 
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
@@ -26,21 +26,21 @@ class Names(NamedTuple):
     """``WallFollower``, with the role behind it where that is not said already."""
 
 
-def names_of(role: str, name: str, registry: Registry) -> Names:
+def make_names(role: str, name: str, registry: Registry) -> Names:
     """Return the names of a new plugin.
 
-    >>> names_of("tutor", "wall-follower", Registry())
+    >>> make_names("tutor", "wall-follower", Registry())
     Names(role='tutor', name='wall-follower', module='wall_follower', class_name='WallFollowerTutor')
 
     Raises:
         PipelineError: if there is no such role, the name cannot be used, or it is taken.
     """
     if role not in ROLES:
-        raise PipelineError(f"plugins new {role}: no such role{suggestion(role, ROLES)}. Roles: {listing(ROLES)}.")
+        raise PipelineError(f"plugins new {role}: no such role{suggest(role, ROLES)}. Roles: {list_names(ROLES)}.")
     if not _NAME.fullmatch(name):
         raise PipelineError(
             f"plugins new {role} {name}: a name is like 'wall-follower': small letters and digits, a letter first, "
-            f"words joined by single hyphens{_proposal(name)}."
+            f"words joined by single hyphens{_propose(name)}."
         )
     module = name.replace("-", "_")
     _check_module(role, name, module)
@@ -50,7 +50,7 @@ def names_of(role: str, name: str, registry: Registry) -> Names:
     return Names(role, name, module, class_name)
 
 
-def _proposal(name: str) -> str:
+def _propose(name: str) -> str:
     spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()
     likely = re.sub(r"[^a-z0-9]+", "-", spaced).strip("-").lstrip("0123456789-")
     return f" (perhaps '{likely}')" if likely else ""

@@ -32,10 +32,10 @@ WITH: dict[str, dict[str, str]] = {
 """What differs, by the role of the new part."""
 
 
-def slots(role: str, name: str) -> dict[str, str]:
+def fill_slots(role: str, name: str) -> dict[str, str]:
     """Return every slot of a pipeline that uses the part, as YAML.
 
-    >>> slots("tutor", "wall-follower")["tutor"]
+    >>> fill_slots("tutor", "wall-follower")["tutor"]
     'wall-follower'
     """
     return PLAIN | {slot: value.replace("$name", name) for slot, value in WITH[role].items()}

@@ -7,10 +7,10 @@ from pathlib import Path
 from string import Template
 
 import tutorstudent
-from tutorstudent.core.files.rundir import writing
+from tutorstudent.core.files.rundir import explain_write_errors
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.templates.naming import Names
-from tutorstudent.templates.pipelines import slots
+from tutorstudent.templates.pipelines import fill_slots
 
 SUFFIX = ".in"
 BESIDE = {"tutor": ("Approaches",)}
@@ -27,13 +27,13 @@ def write_plugin(names: Names, out: Path) -> list[Path]:
     Raises:
         PipelineError: if the folder is not, or cannot be written.
     """
-    with writing(out):
+    with explain_write_errors(out):
         if out.exists() and (not out.is_dir() or any(out.iterdir())):
             raise PipelineError(f"{out}: there is something of that name already; give another folder with --out.")
-        return [_write(out / path, text) for path, text in contents(names).items()]
+        return [_write(out / path, text) for path, text in make_contents(names).items()]
 
 
-def contents(names: Names) -> dict[str, str]:
+def make_contents(names: Names) -> dict[str, str]:
     """Return the plugin's files by path."""
     role, module = names.role, names.module
     sources = {
@@ -45,26 +45,26 @@ def contents(names: Names) -> dict[str, str]:
         f"{module}/{role}.py": f"{role}/part.py",
         f"tests/test_{module}.py": f"{role}/test.py",
     }
-    values = _values(names)
-    return {path: Template(_text(source)).substitute(values) for path, source in sources.items()} | {
+    values = _make_values(names)
+    return {path: Template(_read_text(source)).substitute(values) for path, source in sources.items()} | {
         f"{module}/py.typed": ""
     }
 
 
-def _values(names: Names) -> dict[str, str]:
+def _make_values(names: Names) -> dict[str, str]:
     article = "an" if names.role[0] in "aeiou" else "a"
     words = {"article": article, "article_upper": article.capitalize(), "version": tutorstudent.__version__}
-    return slots(names.role, names.name) | names._asdict() | words | _classes(names)
+    return fill_slots(names.role, names.name) | names._asdict() | words | _list_classes(names)
 
 
-def _classes(names: Names) -> dict[str, str]:
+def _list_classes(names: Names) -> dict[str, str]:
     """Return the plugin's classes as its files list them; sorted where a linter wants them to be."""
     provided = [names.class_name, *BESIDE.get(names.role, ())]
     exported = ", ".join(f'"{name}"' for name in sorted(provided))
     return {"provided": ", ".join(provided), "imported": ", ".join(sorted(provided)), "exported": exported}
 
 
-def _text(source: str) -> str:
+def _read_text(source: str) -> str:
     file = resources.files(tutorstudent).joinpath("templates", "files", *f"{source}{SUFFIX}".split("/"))
     return file.read_text(encoding="utf-8")
 

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from pydantic import BaseModel
 
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.plugins.process.plain import plain
-from tutorstudent.plugins.process.protocol import Answer, Unreadable, check_hello, line, read_answer
+from tutorstudent.plugins.process.plain import make_plain
+from tutorstudent.plugins.process.protocol import Answer, Unreadable, check_hello, make_line, read_answer
 from tutorstudent.sims.pioneer.types import Blob, PioneerState
 
 
@@ -73,16 +73,16 @@ class Sensed:
     ],
 )
 def test_a_state_becomes_plain_json(state: Any, expected: Any) -> None:
-    found = plain(state)
+    found = make_plain(state)
     assert expected == found
     assert type(expected) is type(found)
-    assert expected == json.loads(line("decide", state=found))["state"]
+    assert expected == json.loads(make_line("decide", state=found))["state"]
 
 
 def test_a_pioneers_state_is_its_fields_by_name() -> None:
     state = PioneerState(np.full(16, 5.0), (Blob("red", 0.1, 2.0, 0.2),), False)
     blob = {"colour": "red", "bearing_rad": 0.1, "range_m": 2.0, "width_rad": 0.2}
-    assert {"sonar_m": [5.0] * 16, "blobs": [blob], "stalled": False} == plain(state)
+    assert {"sonar_m": [5.0] * 16, "blobs": [blob], "stalled": False} == make_plain(state)
 
 
 NESTED = st.recursive(
@@ -94,9 +94,9 @@ NESTED = st.recursive(
 
 @given(NESTED)
 def test_every_nested_value_survives_the_wire(state: Any) -> None:
-    message = line("decide", number=1, state=plain(state))
+    message = make_line("decide", number=1, state=make_plain(state))
     assert 1 == message.count(b"\n")
-    assert plain(state) == json.loads(message)["state"]
+    assert make_plain(state) == json.loads(message)["state"]
 
 
 @pytest.mark.parametrize(
@@ -112,12 +112,12 @@ def test_every_nested_value_survives_the_wire(state: Any) -> None:
 )
 def test_what_json_cannot_say_is_told_with_its_place(state: Any, message: str) -> None:
     with pytest.raises(ContractError, match=re.escape(message)):
-        plain(state)
+        make_plain(state)
 
 
 def test_messages_begin_with_their_type_and_hold_no_blanks() -> None:
-    assert b'{"type":"decide","number":3,"state":[1.5,"NaN"]}\n' == line(
-        "decide", number=3, state=plain([1.5, math.nan])
+    assert b'{"type":"decide","number":3,"state":[1.5,"NaN"]}\n' == make_line(
+        "decide", number=3, state=make_plain([1.5, math.nan])
     )
 
 

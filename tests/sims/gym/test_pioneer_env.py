@@ -12,8 +12,8 @@ from gymnasium.utils.env_checker import check_env
 import tutorstudent as ts
 import tutorstudent.sims.gym.envs
 from tutorstudent.core.roles.world import Sketch
-from tutorstudent.sims.gym.drawing import SIDE, picture
-from tutorstudent.sims.gym.pioneer_env import PioneerEnv, drive_action
+from tutorstudent.sims.gym.drawing import SIDE, draw_picture
+from tutorstudent.sims.gym.pioneer_env import PioneerEnv, make_drive_action
 from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import DriveAction
 
@@ -36,7 +36,7 @@ def test_it_drives_as_the_world_does() -> None:
     world.reset(seed)
     for command in ([0.5, 0.0], [0.0, -0.25], [1.0, 0.5]):
         seen, _, _, _, events = env.step(np.array(command, np.float32))
-        step = world.step(drive_action(*command))
+        step = world.step(make_drive_action(*command))
         assert dict(step.events) == events
         assert step.state.sonar_m == pytest.approx(seen["sonar_m"])
     env.close()
@@ -74,13 +74,13 @@ def test_what_is_in_view_is_in_the_observation() -> None:
     [((0, 0), "stop"), ((0.2, 0.1), "forward"), ((-0.2, 0.2), "backward"), ((0.1, 0.2), "left"), ((0, -1), "right")],
 )
 def test_a_command_has_the_kind_of_its_larger_component(command: tuple[float, float], kind: str) -> None:
-    action = drive_action(*command)
+    action = make_drive_action(*command)
     assert DriveAction(kind=kind, translation=command[0], rotation=command[1]) == action  # type: ignore[arg-type]
 
 
 def test_a_picture_shows_outlines_discs_and_poses_in_their_colours() -> None:
     square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
-    image = picture(Sketch([(square, "black")], [((1.0, 1.0), 0.5, "red")], [(1.0, 1.0, 0.0, "mauve")]))
+    image = draw_picture(Sketch([(square, "black")], [((1.0, 1.0), 0.5, "red")], [(1.0, 1.0, 0.0, "mauve")]))
     assert (SIDE, SIDE, 3) == image.shape
     colours = {tuple(pixel) for pixel in image.reshape(-1, 3).tolist()}
     assert {(255, 255, 255), (0, 0, 0), (204, 51, 51)} == colours
@@ -88,7 +88,7 @@ def test_a_picture_shows_outlines_discs_and_poses_in_their_colours() -> None:
 
 @pytest.mark.parametrize("sketch", [Sketch(), Sketch([([], "black")]), Sketch([([(1.0, 1.0)], "black")])])
 def test_a_picture_of_next_to_nothing_can_be_drawn(sketch: Sketch) -> None:
-    assert (SIDE, SIDE, 3) == picture(sketch).shape
+    assert (SIDE, SIDE, 3) == draw_picture(sketch).shape
 
 
 def test_without_a_render_mode_nothing_is_drawn() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.sims.pioneer.scenes import EXACT, STOP, robot, scene
-from tutorstudent.sims.pioneer.actors import Predator, PredatorOptions, Prey, PreyOptions, Sensed, sensed
+from tutorstudent.sims.pioneer.actors import Predator, PredatorOptions, Prey, PreyOptions, Sensed, sense
 from tutorstudent.sims.pioneer.types import DriveAction
 
 OPEN = Sensed(ahead_m=5.0, left_m=5.0, right_m=5.0, open_side=1.0, learner_rad=None)
@@ -21,8 +21,8 @@ def predator(**options):
 
 
 def test_what_the_front_sonars_mean():
-    assert sensed([0.5, 0.4, 1.0, 0.9, 0.8, 1.1, 2.0, 3.0], 0.3) == Sensed(0.8, 0.4, 2.0, -1.0, 0.3)
-    assert sensed([3.0, 2.0, 1.1, 0.8, 0.9, 1.0, 0.4, 0.5], None) == Sensed(0.8, 2.0, 0.4, 1.0, None)
+    assert sense([0.5, 0.4, 1.0, 0.9, 0.8, 1.1, 2.0, 3.0], 0.3) == Sensed(0.8, 0.4, 2.0, -1.0, 0.3)
+    assert sense([3.0, 2.0, 1.1, 0.8, 0.9, 1.0, 0.4, 0.5], None) == Sensed(0.8, 2.0, 0.4, 1.0, None)
 
 
 def test_a_prey_with_a_free_way_drives_on_in_gentle_arcs():
@@ -142,7 +142,7 @@ def test_in_2000_seconds_no_robot_is_stuck_while_the_learner_wanders(make_world,
     learner = Prey(PreyOptions(forward=0.2, turn=0.4), np.random.default_rng(3))
     way = longest = stalled = 0.0
     for _ in range(10_000):
-        translation, rotation = learner.act(sensed(state.sonar_m[:8].tolist(), None), state.stalled)
+        translation, rotation = learner.act(sense(state.sonar_m[:8].tolist(), None), state.stalled)
         state, events, *_ = world.step(DriveAction(kind="forward", translation=translation, rotation=rotation))
         way += events["distance_m"]
         stalled = stalled + 1 if events["collided"] else 0

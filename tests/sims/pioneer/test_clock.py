@@ -28,7 +28,7 @@ from tutorstudent.sims.pioneer.types import DriveAction
 def test_a_command_is_held_for_its_duration_and_at_least_a_decision(make_world, duration_s, ticks_per_decision, ticks):
     world = make_world(scene(), **EXACT, ticks_per_decision=ticks_per_decision)
     world.reset(1)
-    assert world.ticks(duration_s) == ticks
+    assert world.count_ticks(duration_s) == ticks
     events = world.step(forward(0.1, duration_s)).events
     assert events["time_s"] == pytest.approx(0.1 * ticks)
     assert events["distance_m"] == pytest.approx(0.09 * 0.1 * ticks)
@@ -38,7 +38,7 @@ def test_the_length_of_a_tick_is_an_option(make_world):
     world = make_world(scene(), **EXACT, tick_s=0.05)
     world.reset(1)
     assert world.step(forward(0.1, 0.2)).events["time_s"] == pytest.approx(0.2)
-    assert world.ticks(0.2) == 4
+    assert world.count_ticks(0.2) == 4
 
 
 def test_full_speed_is_nine_decimetres_and_sixty_five_degrees_a_second(make_world):
@@ -82,7 +82,7 @@ def test_latency_does_not_depend_on_how_long_decisions_are(make_world):
     per_tick = 0.009 / math.cos(math.radians(10.0))
     ticks = 0
     for duration_s in (0.0, 0.5, 0.3, 0.0, 1.0, 0.4):
-        ticks += world.ticks(duration_s)
+        ticks += world.count_ticks(duration_s)
         state = world.step(forward(0.1, duration_s)).state
         assert first.sonar_m[3] - state.sonar_m[3] == pytest.approx(max(0, ticks - 3) * per_tick, abs=1e-5)
 

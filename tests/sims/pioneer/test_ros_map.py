@@ -16,7 +16,7 @@ from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.images import read_grey
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.mesh import area
-from tutorstudent.sims.pioneer.ros_map import outlines, read_ros_map
+from tutorstudent.sims.pioneer.ros_map import find_outlines, read_ros_map
 
 RESOLUTION = 0.02
 MAP_KEYS = "Allowed: free_thresh, image, mode, negate, occupied_thresh, origin, resolution."
@@ -93,7 +93,7 @@ def test_the_outlines_of_cells_are_closed_and_hold_exactly_the_cells():
     rng = np.random.default_rng(5)
     for _ in range(30):
         cells = rng.random((9, 12)) < 0.45
-        loops = outlines(cells)
+        loops = find_outlines(cells)
         assert sum(area(loop) for loop in loops) == cells.sum()
         centres = np.stack(np.meshgrid(np.arange(12) + 0.5, np.arange(9) + 0.5), axis=-1).reshape(-1, 2)
         odd = np.zeros(len(centres), dtype=bool)
@@ -105,11 +105,11 @@ def test_the_outlines_of_cells_are_closed_and_hold_exactly_the_cells():
 def test_a_ring_has_an_outer_outline_and_a_hole():
     cells = np.ones((3, 3), dtype=bool)
     cells[1, 1] = False
-    assert sorted(area(loop) for loop in outlines(cells)) == [-1.0, 9.0]
+    assert sorted(area(loop) for loop in find_outlines(cells)) == [-1.0, 9.0]
 
 
 def test_cells_that_share_a_corner_are_two_outlines():
-    assert [area(loop) for loop in outlines(np.eye(2, dtype=bool))] == [1.0, 1.0]
+    assert [area(loop) for loop in find_outlines(np.eye(2, dtype=bool))] == [1.0, 1.0]
 
 
 def test_the_lower_left_pixel_lies_at_the_origin_which_may_be_turned(write_map):

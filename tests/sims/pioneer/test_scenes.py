@@ -13,7 +13,7 @@ from tests.sims.pioneer.scenes import EXACT, box, scene
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.mesh import area
-from tutorstudent.sims.pioneer.scene_files import shipped_scenes
+from tutorstudent.sims.pioneer.scene_files import list_scenes
 
 SCENES = ["cave-box", "cave-predator-prey", "cave-predator-prey-box", "chase-avoid"]
 CAVES = SCENES[:3]
@@ -60,7 +60,7 @@ def free_cells(layout, radius_m):
 
 
 def test_the_four_environments_of_the_thesis_are_shipped():
-    assert shipped_scenes() == SCENES
+    assert list_scenes() == SCENES
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.sims.pioneer.scenes import EXACT, STOP, forward, pose, robot, scene
-from tutorstudent.sims.pioneer.events import wrapped_rad
+from tutorstudent.sims.pioneer.events import wrap_rad
 from tutorstudent.sims.pioneer.types import DriveAction
 
 FRONT_M = 0.18
@@ -141,11 +141,11 @@ def test_the_heading_of_a_pose_counts_on_and_that_of_the_event_is_within_half_a_
 @pytest.mark.parametrize("turns", range(-10, 11))
 @pytest.mark.parametrize("direction_rad", [-math.pi + 1e-6, -1.0, 0.0, 1.0, math.pi])
 def test_a_wrapped_angle_is_the_same_direction(turns, direction_rad):
-    wrapped = wrapped_rad(direction_rad + turns * math.tau)
+    wrapped = wrap_rad(direction_rad + turns * math.tau)
     assert -math.pi < wrapped <= math.pi
     assert math.remainder(wrapped - direction_rad, math.tau) == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize("half_turns", [-1, 1])
 def test_half_a_turn_is_told_as_plus_pi(half_turns):
-    assert wrapped_rad(half_turns * math.pi) == math.pi
+    assert wrap_rad(half_turns * math.pi) == math.pi

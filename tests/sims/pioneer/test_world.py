@@ -18,7 +18,7 @@ from tutorstudent.core.roles.world import World
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.sims.pioneer import bullet, tutorstudent_components
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
-from tutorstudent.sims.pioneer.calls import CallLog, bound
+from tutorstudent.sims.pioneer.calls import CallLog, bind_calls
 from tutorstudent.sims.pioneer.layout import load_layout
 from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.scene_files import SCENES
@@ -321,7 +321,7 @@ def test_the_logged_calls_can_be_made_again_without_the_world(make_world):
     other = Bullet(load_pybullet())
     same.connect(other)
     same.reset(7)
-    answers = [call() for call in bound(calls, load_pybullet(), other.client)]
+    answers = [call() for call in bind_calls(calls, load_pybullet(), other.client)]
     casts = [answer for call, answer in zip(calls, answers, strict=True) if call.function == "rayTestBatch"]
     hits = np.array([hit[2] for hit in casts[-1]])
     assert len(answers) == len(calls)

@@ -7,7 +7,7 @@ from itertools import cycle, product
 from typing import Any
 
 from tutorstudent.checks.outcome import CheckSkipped, expect
-from tutorstudent.checks.roles.sound import sound_action, sound_graded, sound_number, sound_proposal
+from tutorstudent.checks.roles.sound import check_action, check_graded, check_number, check_proposal
 from tutorstudent.checks.usage import Question, Usage
 from tutorstudent.core.roles.leaves import Change
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
@@ -17,7 +17,7 @@ LEVELS = (0, 1, 3)
 BITS = (True, False)
 
 
-def moments(actions: Sequence[Any], states: Sequence[Any]) -> list[Moment[Any, Any]]:
+def make_moments(actions: Sequence[Any], states: Sequence[Any]) -> list[Moment[Any, Any]]:
     """Return one moment for each state, the actions taking turns."""
     return [
         Moment(number, state, action, "")
@@ -25,14 +25,14 @@ def moments(actions: Sequence[Any], states: Sequence[Any]) -> list[Moment[Any, A
     ]
 
 
-def decided(moment: Moment[Any, Any], amplified: bool) -> Decision[Any, Any]:
+def make_decision(moment: Moment[Any, Any], amplified: bool) -> Decision[Any, Any]:
     """Return a decision whose level was raised, or not."""
     action = moment.tutor_action
     selected = GradedAction(action, 1, amplified)
     return Decision(moment, selected, selected._replace(level=1 + amplified), action, None)
 
 
-def outcome_of(state: Any, violated: bool) -> Outcome[Any]:
+def make_outcome(state: Any, violated: bool) -> Outcome[Any]:
     """Return an outcome in which one condition is violated, or none."""
     margins = {"stand-in": (0.0 if violated else 1.0,)}
     return Outcome(state, ("stand-in",) if violated else (), None, margins)
@@ -43,7 +43,7 @@ class TutorUsage(Usage):
 
     reads_states = True
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         return [(state,) for state in states]
 
     def ask(self, part: Any, question: Question) -> Any:
@@ -54,7 +54,7 @@ class TutorUsage(Usage):
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
         action, situation = answer
-        sound_action(action, part.action, "act()")
+        check_action(action, part.action, "act()")
         expect(isinstance(situation, str), "situation is a string", f"{situation!r}", "return a word, or ''")
 
 
@@ -63,8 +63,8 @@ class StudentUsage(Usage):
 
     reads_states = True
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
-        return [(moment, self._lesson(moment)) for moment in moments(self.subject.actions, states)]
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
+        return [(moment, self._make_lesson(moment)) for moment in make_moments(self.subject.actions, states)]
 
     def ask(self, part: Any, question: Question) -> Any:
         proposal = part.propose(question[0])
@@ -75,28 +75,28 @@ class StudentUsage(Usage):
         return part.propose(question[0])
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        sound_proposal(answer, part.proposal, self.subject.action, "propose()")
+        check_proposal(answer, part.proposal, self.subject.action, "propose()")
 
-    def _lesson(self, moment: Moment[Any, Any]) -> Lesson[Any, Any]:
+    def _make_lesson(self, moment: Moment[Any, Any]) -> Lesson[Any, Any]:
         violated = moment.number % 3 == 2
         target = GradedAction(moment.tutor_action, 1 + moment.number % 3, not violated)
-        return Lesson(moment, target, target.level, moment.tutor_action, outcome_of(moment.state, violated))
+        return Lesson(moment, target, target.level, moment.tutor_action, make_outcome(moment.state, violated))
 
 
 class SelectorUsage(Usage):
     """Given every action with every proposal that it can read."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
-        proposals = self._proposals()
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
+        proposals = self._make_proposals()
         return [(action, proposal) for action in self.subject.actions for proposal in proposals]
 
     def ask(self, part: Any, question: Question) -> Any:
         return part.select(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        sound_graded(answer, question[0], "select()")
+        check_graded(answer, question[0], "select()")
 
-    def _proposals(self) -> list[Any]:
+    def _make_proposals(self) -> list[Any]:
         declared: Any = getattr(self.subject.cls, "proposal", None)
         grades = list(product(LEVELS, BITS))
         if declared is LevelProposal:
@@ -110,7 +110,7 @@ class SelectorUsage(Usage):
 class AmplifierUsage(Usage):
     """Given every action at several levels, with either ampbit, early and late."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         cases = product(self.subject.actions, LEVELS, BITS, (0, 1_000_000))
         return [(GradedAction(action, level, bit), number) for action, level, bit, number in cases]
 
@@ -118,8 +118,8 @@ class AmplifierUsage(Usage):
         return part.amplify(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        sound_graded(answer, question[0].action, "amplify()")
-        sound_number(part.amount, "amount")
+        check_graded(answer, question[0].action, "amplify()")
+        check_number(part.amount, "amount")
         change = part.change
         expect(isinstance(change, Change), "change is a Change", f"{change!r}", "return one, for example an option's")
 
@@ -127,11 +127,11 @@ class AmplifierUsage(Usage):
 class EvaluatorUsage(Usage):
     """Given decisions that were amplified or not, with outcomes that are violated or not."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         cases = product((True, False), repeat=2)
-        found = moments(self.subject.actions, [0.0] * len(self.subject.actions))
+        found = make_moments(self.subject.actions, [0.0] * len(self.subject.actions))
         return [
-            (decided(moment, amplified), outcome_of(moment.state, violated))
+            (make_decision(moment, amplified), make_outcome(moment.state, violated))
             for amplified, violated in cases
             for moment in found
         ]
@@ -149,4 +149,4 @@ class EvaluatorUsage(Usage):
             f"{answer!r}",
             "return Lesson(decision.moment, ...)",
         )
-        sound_graded(answer.target, moment.tutor_action, "the target of evaluate()")
+        check_graded(answer.target, moment.tutor_action, "the target of evaluate()")

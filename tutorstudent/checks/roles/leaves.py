@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from tutorstudent.checks.outcome import expect
-from tutorstudent.checks.roles.engine import BITS, LEVELS, moments
-from tutorstudent.checks.roles.sound import sound_number, sound_numbers, sound_proposal, sound_vector
+from tutorstudent.checks.roles.engine import BITS, LEVELS, make_moments
+from tutorstudent.checks.roles.sound import check_number, check_numbers, check_proposal, check_vector
 from tutorstudent.checks.usage import Question, Usage
 from tutorstudent.core.words.records import GradedAction
 
@@ -21,21 +21,21 @@ class EncoderUsage(Usage):
 
     reads_states = True
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
-        return [(moment,) for moment in moments(self.subject.actions, states)]
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
+        return [(moment,) for moment in make_moments(self.subject.actions, states)]
 
     def ask(self, part: Any, question: Question) -> Any:
         vector = part.encode(*question)
         return vector.copy() if isinstance(vector, np.ndarray) else vector  # it may reuse its buffer
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        sound_vector(answer, part.width, "encode()")
+        check_vector(answer, part.width, "encode()")
 
 
 class CodecUsage(Usage):
     """Given every action at several levels to encode; asked what the numbers say."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         cases = product(self.subject.actions, LEVELS, BITS)
         return [(GradedAction(action, level, bit),) for action, level, bit in cases]
 
@@ -45,27 +45,27 @@ class CodecUsage(Usage):
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
         numbers, proposal = answer
-        sound_vector(numbers, part.width, "encode()")
+        check_vector(numbers, part.width, "encode()")
         expect(
             bool(((numbers >= 0) & (numbers <= 1)).all()),
             "encode() returns numbers in [0, 1], which a logistic neuron can learn",
             f"{numbers}",
             "scale them into [0, 1]",
         )
-        sound_proposal(proposal, part.proposal, self.subject.action, "decode()")
+        check_proposal(proposal, part.proposal, self.subject.action, "decode()")
 
 
 class ChangeUsage(Usage):
     """Asked for the distance of several amplifications of several magnitudes."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         return list(product((0.0, 0.1, 0.3, 0.8, 5.0), (0.0, 0.12, 0.5, 1.0)))
 
     def ask(self, part: Any, question: Question) -> Any:
         return part.fraction(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        distance = sound_number(answer, "fraction()")
+        distance = check_number(answer, "fraction()")
         expect(
             0 <= distance < math.inf,
             "fraction() is 0 or more",
@@ -79,7 +79,7 @@ class ConditionUsage(Usage):
 
     reads_states = True
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         return [(state,) for state in states]
 
     def ask(self, part: Any, question: Question) -> Any:
@@ -95,6 +95,6 @@ class ConditionUsage(Usage):
             "return bool(...)",
         )
         if margins is not None:
-            sound_numbers(margins, "margins()")
+            check_numbers(margins, "margins()")
         label = part.label
         expect(bool(label) and isinstance(label, str), "label is a word", f"{label!r}", "return a string")

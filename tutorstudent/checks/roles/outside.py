@@ -7,19 +7,19 @@ from itertools import cycle, islice
 from typing import Any
 
 from tutorstudent.checks.outcome import expect
-from tutorstudent.checks.roles.sound import sound_number
-from tutorstudent.checks.standins import engine_of, staged
+from tutorstudent.checks.roles.sound import check_number
+from tutorstudent.checks.standins import make_engine, play
 from tutorstudent.checks.subject import FEWEST, SEED
 from tutorstudent.checks.usage import Question, Usage
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin
-from tutorstudent.core.words.errors import listing
+from tutorstudent.core.words.errors import list_names
 
 
 class WorldUsage(Usage):
     """Reset with a seed, then given sound actions; reset again where a trial ends."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
         return [(action,) for action in islice(cycle(self.subject.actions), FEWEST)]
 
     def begin(self, part: Any) -> None:
@@ -42,22 +42,22 @@ class WorldUsage(Usage):
         for name, value in answer.events.items():
             expect(
                 name in declared,
-                f"events are those of event_names: {listing(declared)}",
+                f"events are those of event_names: {list_names(declared)}",
                 f"the event {name!r}",
                 "declare it in event_names, with how a run summarizes it",
             )
-            sound_number(value, f"the event '{name}'")
+            check_number(value, f"the event '{name}'")
 
 
 class ObserverUsage(Usage):
     """Shown a short run of stand-ins; asked for its summary at the end of each decision."""
 
-    def questions(self, states: Sequence[Any]) -> list[Question]:
-        return list(staged(self.subject.actions))
+    def make_questions(self, states: Sequence[Any]) -> list[Question]:
+        return list(play(self.subject.actions))
 
     def begin(self, part: Any) -> None:
-        engine, world = engine_of(self.subject.actions)
-        part.begin(Begin(engine, world, len(self.usual())))
+        engine, world = make_engine(self.subject.actions)
+        part.begin(Begin(engine, world, len(self.make_usual())))
 
     def ask(self, part: Any, question: Question) -> Any:
         part.observe(*question)
@@ -67,4 +67,4 @@ class ObserverUsage(Usage):
         expect(isinstance(answer, Mapping), "summary() returns a mapping", f"{answer!r}", "return {name: number}")
         for name, value in answer.items():
             expect(isinstance(name, str), "the names of summary() are words", f"{name!r}", "use strings")
-            sound_number(value, f"'{name}' of summary()")
+            check_number(value, f"'{name}' of summary()")

@@ -11,12 +11,12 @@ from pydantic import ValidationError
 
 from tutorstudent.checks.outcome import CheckFailed, expect
 from tutorstudent.core.deciding.guard import Breach, received
-from tutorstudent.core.words.actions import Action, rebuilt
-from tutorstudent.core.words.errors import listing
-from tutorstudent.core.words.proposals import KindProposal, exact_number
+from tutorstudent.core.words.actions import Action, rebuild
+from tutorstudent.core.words.errors import list_names
+from tutorstudent.core.words.proposals import KindProposal, require_number
 
 
-def sound_action(action: Any, cls: type[Action], what: str) -> None:
+def check_action(action: Any, cls: type[Action], what: str) -> None:
     """Check that an action is of the class and within its bounds."""
     expect(
         type(action) is cls,
@@ -25,7 +25,7 @@ def sound_action(action: Any, cls: type[Action], what: str) -> None:
         f"return {cls.__name__}(...), or declare the class that it returns as 'action'",
     )
     try:
-        rebuilt(action)
+        rebuild(action)
     except (ValidationError, KeyError) as error:
         raise CheckFailed(
             f"the {cls.__name__} that {what} returns is within its bounds",
@@ -34,7 +34,7 @@ def sound_action(action: Any, cls: type[Action], what: str) -> None:
         ) from None
 
 
-def sound_graded(graded: Any, shown: Action, what: str) -> None:
+def check_graded(graded: Any, shown: Action, what: str) -> None:
     """Check that a graded action is about the action that was shown, with a level and a bit."""
     try:
         received(graded, shown)
@@ -46,7 +46,7 @@ def sound_graded(graded: Any, shown: Action, what: str) -> None:
         ) from None
 
 
-def sound_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -> None:
+def check_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -> None:
     """Check that a proposal is of the declared type, validated, and names a kind of the action class or none."""
     expect(
         type(proposal) is declared,
@@ -66,13 +66,13 @@ def sound_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -
         kinds = cls.vocabulary.kinds
         expect(
             proposal.kind is None or proposal.kind in kinds,
-            f"the kind is one of {listing(kinds)}, or None",
+            f"the kind is one of {list_names(kinds)}, or None",
             f"{proposal.kind!r}",
             "take kinds from self.action_class.vocabulary.kinds; say None where the numbers name no kind",
         )
 
 
-def sound_vector(vector: Any, width: int, what: str) -> None:
+def check_vector(vector: Any, width: int, what: str) -> None:
     """Check that a vector has the declared width and holds finite floats."""
     shape = getattr(vector, "shape", None)
     expect(
@@ -89,19 +89,19 @@ def sound_vector(vector: Any, width: int, what: str) -> None:
     )
 
 
-def sound_number(value: Any, what: str) -> float:
+def check_number(value: Any, what: str) -> float:
     """Check that something is a finite number, and return it."""
     try:
-        number = exact_number(value)
+        number = require_number(value)
     except TypeError:
         number = math.nan
     expect(math.isfinite(number), f"{what} is a finite number", f"{value!r}", "return a float")
     return number
 
 
-def sound_numbers(values: Any, what: str) -> None:
+def check_numbers(values: Any, what: str) -> None:
     """Check that something is a sequence of finite numbers."""
     listed = isinstance(values, Sequence | np.ndarray) and not isinstance(values, str)
     expect(listed, f"{what} are a sequence of numbers", f"{values!r}", "return a list of floats")
     for value in values:
-        sound_number(value, f"each of {what}")
+        check_number(value, f"each of {what}")

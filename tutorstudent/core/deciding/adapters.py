@@ -10,8 +10,8 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.commands import Command
-from tutorstudent.core.words.errors import ContractError, shown
-from tutorstudent.core.words.freezing import read_only
+from tutorstudent.core.words.errors import ContractError, quote
+from tutorstudent.core.words.freezing import freeze
 
 
 class FunctionTutor(Tutor[Any, Any]):
@@ -74,7 +74,7 @@ class FunctionTutor(Tutor[Any, Any]):
                 said.write(command)
             except Exception as error:
                 raise ContractError(
-                    f"the controller's command is {shown(command)}: a copy with other numbers cannot be made: "
+                    f"the controller's command is {quote(command)}: a copy with other numbers cannot be made: "
                     f"{type(error).__name__}: {error}. Give read= and write= to ts.scalar() or ts.vector()."
                 ) from error
         self._writable = True
@@ -127,7 +127,7 @@ class Loop:
 
         At level 0 it is the controller's own object; also where no other could be made, which is an incident.
         """
-        command = self._written(self.engine.step(read_only(state)))
+        command = self._written(self.engine.step(freeze(state)))
         if len(self._counts) > len(self._told):
             self._tell()
         return command

@@ -8,7 +8,7 @@ from tutorstudent.core.deciding.guard import Guard, sealed
 from tutorstudent.core.deciding.limiting import LevelLimiter, reached_level
 from tutorstudent.core.deciding.rendering import NOTHING, Permitted
 from tutorstudent.core.deciding.teaching import Pending
-from tutorstudent.core.words.actions import Action, rebuilt
+from tutorstudent.core.words.actions import Action, rebuild
 
 UNKNOWN = "the executed level could not be told"
 
@@ -28,7 +28,7 @@ def corrected(pending: Pending, executed: Action, levels: LevelLimiter, guard: G
 
     An earlier word about the same decision is taken back.
     """
-    asked, record = pending.asked, rebuilt(executed)
+    asked, record = pending.asked, rebuild(executed)
     level, permitted, untold = _reached(pending, executed, levels, guard)
     decision = asked._replace(
         selected=asked.selected._replace(level=min(level, asked.selected.level)),

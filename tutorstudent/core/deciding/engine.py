@@ -25,9 +25,9 @@ from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Component, EnginePart, Learned
-from tutorstudent.core.words.actions import ActionT, Group, rebuilt
+from tutorstudent.core.words.actions import ActionT, Group, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import ProposalT, exact_level
+from tutorstudent.core.words.proposals import ProposalT, require_level
 from tutorstudent.core.words.records import Decision, Incident, Moment, StateT, Turn
 
 
@@ -221,7 +221,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         parts = dict(self.slots())
         for slot, value in state.items():
             if slot == "decisions":
-                self.decisions = exact_level(value)
+                self.decisions = require_level(value)
             elif slot in parts:
                 parts[slot].load_state_dict(value)
             else:
@@ -243,7 +243,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         shown = graded.resulting.action
         if shown is not moment.tutor_action:
             moment = moment._replace(tutor_action=shown)
-        record = shown if action is original else rebuilt(action)
+        record = shown if action is original else rebuild(action)
         decision = Decision(moment, graded.selected, graded.resulting, record, graded.proposal)
         seal = sealed(shown)
         seals = (seal, seal if record is shown else sealed(record))

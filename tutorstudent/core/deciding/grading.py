@@ -8,7 +8,7 @@ from tutorstudent.core.deciding.guard import Breach, Guard, check_intact, receiv
 from tutorstudent.core.deciding.limiting import LevelLimiter
 from tutorstudent.core.deciding.rendering import Permitted, render
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Student
-from tutorstudent.core.words.actions import ActionT, Group, rebuilt
+from tutorstudent.core.words.actions import ActionT, Group, rebuild
 from tutorstudent.core.words.proposals import Proposal, ProposalT
 from tutorstudent.core.words.records import GradedAction, Moment, StateT
 
@@ -67,7 +67,7 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
     def fall_back(self, original: ActionT, groups: tuple[Group, ...]) -> Graded[ActionT]:
         """Return the tutor's own action at level 0 (through slew where that is set), ampbit 1."""
         permitted = self._levels.fall_back(original, groups)
-        graded = GradedAction(rebuilt(original), permitted.level, True)
+        graded = GradedAction(rebuild(original), permitted.level, True)
         return Graded(graded, graded, permitted, None)
 
     def render(

@@ -9,9 +9,9 @@ from typing import Any, Literal
 
 from pydantic import ValidationError
 
-from tutorstudent.core.words.actions import Action, ActionT, rebuilt
+from tutorstudent.core.words.actions import Action, ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import exact_bit, exact_level
+from tutorstudent.core.words.proposals import require_bit, require_level
 from tutorstudent.core.words.records import GradedAction, Incident
 
 OnIncident = Literal["continue", "raise"]
@@ -77,7 +77,7 @@ def _say(error: BaseException) -> str:
 def checked_replica(action: ActionT, what: str) -> ActionT:
     """Return a validated copy of an action that somebody handed in; raises ContractError if it is not sound."""
     try:
-        return rebuilt(action)
+        return rebuild(action)
     except (ValidationError, KeyError) as error:
         problem = error.errors(include_url=False)[0]["msg"] if isinstance(error, ValidationError) else f"no {error}"
         raise ContractError(f"{what}: the {type(action).__name__} is not sound: {problem}.") from None
@@ -107,7 +107,7 @@ def received(graded: Any, shown: ActionT) -> GradedAction[ActionT]:
         return graded
     if action is not shown and action != shown:
         raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
-    level, ampbit = exact_level(level), exact_bit(ampbit)
+    level, ampbit = require_level(level), require_bit(ampbit)
     if level < 0:
         raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
     return GradedAction(shown, level, ampbit)

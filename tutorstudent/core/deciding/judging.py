@@ -11,7 +11,7 @@ from typing import Any, Generic
 from tutorstudent.core.deciding.guard import Breach, Guard
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import exact_bit, exact_number
+from tutorstudent.core.words.proposals import require_bit, require_number
 from tutorstudent.core.words.records import Margins, Outcome, StateT
 
 NO_MARGINS: Margins = MappingProxyType({})
@@ -60,13 +60,13 @@ def _violated(condition: Condition[Any], state: Any) -> bool:
     if answer is True or answer is False:
         return answer
     try:
-        return exact_bit(answer)
+        return require_bit(answer)
     except (TypeError, ValueError):
         raise Breach("wrong-return", f"violated() returned {type(answer).__name__}; return a bool.") from None
 
 
 def _margins(found: Sequence[float]) -> tuple[float, ...]:
-    margins = tuple(map(exact_number, found))
+    margins = tuple(map(require_number, found))
     if any(math.isnan(margin) for margin in margins):
         raise Breach("not-finite", "margins() returned NaN; a condition whose margin is unknown counts as violated.")
     return margins

@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from tutorstudent.core.deciding.limits import Limits
-from tutorstudent.core.words.actions import ActionT, Group, rebuilt
-from tutorstudent.core.words.proposals import exact_number
+from tutorstudent.core.words.actions import ActionT, Group, rebuild
+from tutorstudent.core.words.proposals import require_number
 
 Fractions = tuple[float, ...]
 """One distance for each group of the action's kind, in units of the group's scale; none where nothing moves."""
@@ -84,7 +84,7 @@ def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -
     for group, fraction in zip(groups, fractions, strict=True):
         if fraction > 0:
             changed.update(zip(group.names, moved(group, values, fraction), strict=True))
-    return rebuilt(original, changed) if changed else original
+    return rebuild(original, changed) if changed else original
 
 
 def permitted(
@@ -136,7 +136,7 @@ def magnitudes(groups: tuple[Group, ...], values: Mapping[str, float]) -> Fracti
 
 def exact_fraction(fraction: float) -> float:
     """Return what a change returned as a plain float; ValueError if it is not finite or negative."""
-    plain = exact_number(fraction)
+    plain = require_number(fraction)
     if not 0 <= plain < math.inf:
         raise ValueError(f"a change returned {plain}; a fraction is finite and not negative")
     return plain

@@ -6,7 +6,7 @@ from typing import Any, Generic, NamedTuple
 
 from tutorstudent.core.deciding.guard import Breach, Guard, Seal, check_intact, received
 from tutorstudent.core.roles.interfaces import Evaluator, Student
-from tutorstudent.core.words.actions import ActionT, Group, rebuilt
+from tutorstudent.core.words.actions import ActionT, Group, rebuild
 from tutorstudent.core.words.records import Decision, Lesson, Outcome, StateT
 
 
@@ -31,12 +31,12 @@ class Pending(NamedTuple):
 
     def renewed(self) -> Decision[Any, Any]:
         """Return the decision with fresh copies, for the record, after a part spoilt the old ones."""
-        decision, shown = self.decision, rebuilt(self.original)
+        decision, shown = self.decision, rebuild(self.original)
         return decision._replace(
             moment=decision.moment._replace(tutor_action=shown),
             selected=decision.selected._replace(action=shown),
             resulting=decision.resulting._replace(action=shown),
-            executed=rebuilt(self.executed),
+            executed=rebuild(self.executed),
         )
 
 

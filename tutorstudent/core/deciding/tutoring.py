@@ -7,7 +7,7 @@ from typing import Any, Generic
 
 from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.roles.interfaces import Tutor
-from tutorstudent.core.words.actions import ActionT, rebuilt
+from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.records import StateT
 
@@ -32,7 +32,7 @@ class TutorSeat(Generic[StateT, ActionT]):
                     f"tutor '{self._tutor.name}' returned {type(action).__name__}; "
                     f"expected {self._tutor.action.__name__}. Tutors return an action of their class for every state."
                 )
-            shown, situation = rebuilt(action), self._tutor.situation
+            shown, situation = rebuild(action), self._tutor.situation
             if not isinstance(situation, str):
                 raise ContractError(
                     f"tutor '{self._tutor.name}': situation is {situation!r}; it is a string, '' for none."
@@ -44,11 +44,11 @@ class TutorSeat(Generic[StateT, ActionT]):
             if self._on_failure is None:
                 raise
             self._guard.record(number, "tutor", error)
-            return self._on_failure, rebuilt(self._on_failure), "", True
+            return self._on_failure, rebuild(self._on_failure), "", True
 
     def tell(self, number: int, executed: ActionT) -> None:
         """Tell the tutor what was really executed; for tutors that listen (`hears`)."""
-        self._call(number, lambda: self._tutor.executed(rebuilt(executed)))
+        self._call(number, lambda: self._tutor.executed(rebuild(executed)))
 
     def reset(self, number: int) -> None:
         """Begin a trial."""

@@ -7,7 +7,7 @@ from typing import Any
 from tutorstudent.core.deciding.guard import checked_replica
 from tutorstudent.core.roles.interfaces import ActionSelector, Student, Tutor
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import ContractError, listing
+from tutorstudent.core.words.errors import ContractError, list_names
 
 
 def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
@@ -20,7 +20,7 @@ def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
     if not any(vocabulary.groups.values()):
         raise ContractError(
             f"tutor '{tutor.name}': the action class {tutor.action.__name__} has nothing to amplify; "
-            f"its components are {listing(vocabulary.components)}. Name at least one in its 'amplification'.",
+            f"its components are {list_names(vocabulary.components)}. Name at least one in its 'amplification'.",
             slot="tutor",
         )
 

@@ -28,7 +28,7 @@ def write_whole(path: Path, text: str) -> None:
 
 
 @contextmanager
-def whole_folder(place: Path) -> Iterator[Path]:
+def replace_folder(place: Path) -> Iterator[Path]:
     """Yield an empty folder beside the place; at the end it takes the place of whatever stands there.
 
     Its files must not be in folders of their own. If an error ends the block, the place stays as it was.
@@ -50,7 +50,7 @@ def whole_folder(place: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def alone(folder: Path) -> Iterator[None]:
+def lock_folder(folder: Path) -> Iterator[None]:
     """Keep two processes of one machine from working in one folder, where the system can; nothing is left behind.
 
     Raises:

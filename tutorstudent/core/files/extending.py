@@ -30,24 +30,26 @@ def _read(path: Path, chain: list[Path]) -> Document:
     if not isinstance(document.data, dict) or EXTENDS not in document.data:
         return document
     chain = [*chain, path]
-    base = _read(_base(document, path, chain), chain)
+    base = _read(_find_base(document, path, chain), chain)
     if not isinstance(base.data, dict):
-        raise _error(document, f"{base.name} holds no mapping; extend a pipeline.")
-    return _merged(base, document)
+        raise _make_error(document, f"{base.name} holds no mapping; extend a pipeline.")
+    return _merge(base, document)
 
 
-def _base(document: Document, path: Path, chain: list[Path]) -> Path:
+def _find_base(document: Document, path: Path, chain: list[Path]) -> Path:
     named = document.data[EXTENDS]
     if not isinstance(named, str) or not named:
-        raise _error(document, f"found {named!r}; write the path of one YAML file, as in extends: base.yaml.")
+        raise _make_error(document, f"found {named!r}; write the path of one YAML file, as in extends: base.yaml.")
     if Path(named).is_absolute():
-        raise _error(document, f"found the absolute path {named}; write it relative to this file, for other machines.")
+        raise _make_error(
+            document, f"found the absolute path {named}; write it relative to this file, for other machines."
+        )
     base = path.parent / named
     if not _is_file(base):
-        raise _error(document, f"there is no file {base}. A path is read relative to the file in which it stands.")
+        raise _make_error(document, f"there is no file {base}. A path is read relative to the file in which it stands.")
     if base.resolve() in [known.resolve() for known in chain]:
         way = " -> ".join(str(known) for known in [*chain, base])
-        raise _error(document, f"the files extend each other in a circle: {way}; one of them must stand alone.")
+        raise _make_error(document, f"the files extend each other in a circle: {way}; one of them must stand alone.")
     return base
 
 
@@ -58,42 +60,42 @@ def _is_file(path: Path) -> bool:
         return False
 
 
-def _error(document: Document, problem: str) -> PipelineError:
-    return PipelineError(f"{document.where((EXTENDS,))}: {problem}")
+def _make_error(document: Document, problem: str) -> PipelineError:
+    return PipelineError(f"{document.locate((EXTENDS,))}: {problem}")
 
 
-def _merged(base: Document, own: Document) -> Document:
+def _merge(base: Document, own: Document) -> Document:
     merge = _Merge(base)
     values = {key: value for key, value in own.data.items() if key != EXTENDS}
-    data = merge.of(base.data, values, ())
+    data = merge.lay_over(base.data, values, ())
     places = {at: place for at, place in own.places.items() if at != (EXTENDS,)}
-    return Document(own.name, data, merge.places | {at: _in_file(own, place) for at, place in places.items()})
+    return Document(own.name, data, merge.places | {at: _note_file(own, place) for at, place in places.items()})
 
 
 class _Merge:
     """Lays values over those of a base, and keeps the places of what is left of it."""
 
     def __init__(self, base: Document) -> None:
-        self.places = {at: _in_file(base, place) for at, place in base.places.items() if at != (EXTENDS,)}
+        self.places = {at: _note_file(base, place) for at, place in base.places.items() if at != (EXTENDS,)}
 
-    def of(self, base: Any, own: Any, at: Location) -> Any:
-        old, new = _as_mapping(base, own), _as_mapping(own, base)
-        if at in WHOLE or not isinstance(old, dict) or not isinstance(new, dict) or _other_part(old, new):
+    def lay_over(self, base: Any, own: Any, at: Location) -> Any:
+        old, new = _make_mapping(base, own), _make_mapping(own, base)
+        if at in WHOLE or not isinstance(old, dict) or not isinstance(new, dict) or _is_other_part(old, new):
             self.places = {other: place for other, place in self.places.items() if other[: len(at)] != at}
             return own
         if old is not base and at in self.places:
             self.places[*at, "use"] = self.places[at]
-        both = {key: self.of(old[key], new[key], (*at, key)) for key in old if key in new}
+        both = {key: self.lay_over(old[key], new[key], (*at, key)) for key in old if key in new}
         return old | new | both
 
 
-def _as_mapping(value: Any, other: Any) -> Any:
+def _make_mapping(value: Any, other: Any) -> Any:
     return {"use": value} if isinstance(value, str) and isinstance(other, dict) else value
 
 
-def _other_part(old: dict[str, Any], new: dict[str, Any]) -> bool:
+def _is_other_part(old: dict[str, Any], new: dict[str, Any]) -> bool:
     return "use" in old and "use" in new and old["use"] != new["use"]
 
 
-def _in_file(document: Document, place: Place) -> Place:
+def _note_file(document: Document, place: Place) -> Place:
     return place if place.file else place._replace(file=document.name)

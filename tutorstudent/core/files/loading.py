@@ -34,7 +34,7 @@ class Broken(NamedTuple):
     parts: tuple[tuple[str, str], ...] = ()
     """Role and name of what its hook returned; empty where it did not get that far."""
 
-    def told(self) -> str:
+    def explain(self) -> str:
         """Return what it is, why it could not be used, and what to do."""
         return f"'{self.entry_point}' ({self.distribution}): {self.reason} {self.remedy}"
 
@@ -45,15 +45,15 @@ class Broken(NamedTuple):
         return any(name == part_name and role in (None, part_role) for part_role, part_name in self.parts)
 
 
-def installed_entry_points(broken: list[Broken]) -> list[metadata.EntryPoint]:
+def find_entry_points(broken: list[Broken]) -> list[metadata.EntryPoint]:
     """Return the entry points of all plugins; a distribution whose list cannot be read is added to `broken`."""
     try:
         return list(metadata.entry_points(group=GROUP))
     except Exception:  # one damaged list spoils the whole answer; ask each distribution by itself
-        return list(_one_by_one(broken))
+        return list(_ask_each_distribution(broken))
 
 
-def _one_by_one(broken: list[Broken]) -> Iterator[metadata.EntryPoint]:
+def _ask_each_distribution(broken: list[Broken]) -> Iterator[metadata.EntryPoint]:
     seen: set[str] = set()
     for dist in metadata.distributions():
         name = str(dist.metadata["Name"])
@@ -70,20 +70,20 @@ def _one_by_one(broken: list[Broken]) -> Iterator[metadata.EntryPoint]:
         yield from found
 
 
-def allowed(entry_point: metadata.EntryPoint) -> bool:
+def is_allowed(entry_point: metadata.EntryPoint) -> bool:
     """Return whether the environment lets a third party's entry point be loaded."""
     text = os.environ.get(ALLOW_LIST)
     if text is None:
         return True
-    names = {_normal(name) for name in text.split(",") if name.strip()}
-    return bool(names & {_normal(entry_point.name), _normal(distribution_of(entry_point).split()[0])})
+    names = {_normalise(name) for name in text.split(",") if name.strip()}
+    return bool(names & {_normalise(entry_point.name), _normalise(find_distribution(entry_point).split()[0])})
 
 
-def _normal(name: str) -> str:
+def _normalise(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name.strip()).lower()
 
 
-def components(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
+def load_parts(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
     """Yield what the hook of one entry point returns.
 
     Raises:
@@ -134,21 +134,21 @@ def is_ours(entry_point: metadata.EntryPoint) -> bool:
     return entry_point.dist is not None and entry_point.dist.name == GROUP
 
 
-def distribution_of(entry_point: metadata.EntryPoint) -> str:
+def find_distribution(entry_point: metadata.EntryPoint) -> str:
     """Return name and version of the distribution of an entry point."""
     dist = entry_point.dist
     return f"{dist.name} {dist.version}" if dist is not None and dist.name else UNKNOWN
 
 
-def broken_by(error: BaseException, entry_point: metadata.EntryPoint, returned: Iterable[Any]) -> Broken:
+def make_broken(error: BaseException, entry_point: metadata.EntryPoint, returned: Iterable[Any]) -> Broken:
     """Return the record of an entry point that could not be used; `returned` is what its hook did, if it got there."""
-    distribution = distribution_of(entry_point)
-    reason, remedy = diagnosis(error, distribution)
+    distribution = find_distribution(entry_point)
+    reason, remedy = diagnose(error, distribution)
     trace = "".join(traceback.format_exception(error))
-    return Broken(entry_point.name, distribution, " ".join(reason.split()), remedy, trace, tuple(_named(returned)))
+    return Broken(entry_point.name, distribution, " ".join(reason.split()), remedy, trace, tuple(_name_parts(returned)))
 
 
-def _named(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
+def _name_parts(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
     """Yield role and name of the components; one that is too broken to tell them is left out."""
     for part in returned:
         try:
@@ -161,7 +161,7 @@ def _named(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
             continue
 
 
-def diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
+def diagnose(error: BaseException, distribution: str) -> tuple[str, str]:
     """Return reason and remedy, in sentences, for what came out of loading an entry point."""
     package = "its package" if distribution == UNKNOWN else distribution.split()[0]
     remedy = f"Tell the authors of {package}, or uninstall it."
@@ -182,7 +182,7 @@ def diagnosis(error: BaseException, distribution: str) -> tuple[str, str]:
     return f"{type(error).__name__}: {error}", remedy
 
 
-def doubled(classes: Iterable[type[Component]]) -> type[Component] | None:
+def find_double(classes: Iterable[type[Component]]) -> type[Component] | None:
     """Return the first class that has role and name of one before it."""
     seen: set[tuple[str, str]] = set()
     for cls in classes:

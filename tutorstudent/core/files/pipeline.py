@@ -15,19 +15,19 @@ from tutorstudent.core.deciding.guard import OnIncident
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.assembly import Assembler
 from tutorstudent.core.files.extending import EXTENDS, read_extended
-from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.settings import as_setting, set_value
+from tutorstudent.core.files.settings import format_setting, set_value
 from tutorstudent.core.files.yamlfile import Document, Location
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.interfaces import Tutor
-from tutorstudent.core.roles.option_problems import option_problems
+from tutorstudent.core.roles.option_problems import find_option_problems
 from tutorstudent.core.roles.part import Options
 from tutorstudent.core.roles.world import World
 from tutorstudent.core.running.observers import Observer
 from tutorstudent.core.running.runner import check_world
 from tutorstudent.core.running.transplanting import LearnedFile, transplant
-from tutorstudent.core.words.errors import PipelineError, listing, shown, suggestion
+from tutorstudent.core.words.errors import PipelineError, list_names, quote, suggest
 
 SLOTS = ("tutor", "student", "selector", "amplifier", "evaluator")
 DEFAULTS: dict[str, Any] = {
@@ -65,7 +65,7 @@ class Pipeline:
 
     def __init__(self, document: Document, registry: Registry | None = None) -> None:
         if not isinstance(document.data, dict):
-            found = shown(document.data)
+            found = quote(document.data)
             raise PipelineError(
                 f"{document.name}: found {found}; a pipeline is a mapping with the keys {', '.join(KEYS)}."
             )
@@ -76,9 +76,9 @@ class Pipeline:
             self._assembler.slots["selector"] = ("student",)
         self._assembler.check_keys(document.data, KEYS, ())
         if EXTENDS in document.data:
-            raise self._assembler.error((EXTENDS,), "only a file can extend another; write the key into the file.")
+            raise self._assembler.make_error((EXTENDS,), "only a file can extend another; write the key into the file.")
         plain = {key: document.data[key] for key in PLAIN if key in document.data}
-        self.header = self._assembler.model(Header, plain, (), "pipeline")
+        self.header = self._assembler.make_model(Header, plain, (), "pipeline")
 
     @classmethod
     def read(cls, path: Path | str, registry: Registry | None = None) -> Pipeline:
@@ -94,7 +94,7 @@ class Pipeline:
         document, data = self.document, dict(self.document.data)
         for dotted, value in values.items():
             set_value(data, dotted, value, document.name)
-            document = document.replaced(tuple(dotted.split(".")), data, as_setting(dotted, value))
+            document = document.replace(tuple(dotted.split(".")), data, format_setting(dotted, value))
         return Pipeline(document, self.registry)
 
     @contextmanager
@@ -109,7 +109,7 @@ class Pipeline:
             action = engine.tutor.action
             world = stack.enter_context(closing(self.world(action)))
             observers = [stack.enter_context(closing(observer)) for observer in self.observers(action)]
-            with self._assembler.placed(("world",)):
+            with self._assembler.locate_errors(("world",)):
                 check_world(engine, world)
             yield Built(engine, world, observers)
 
@@ -120,24 +120,24 @@ class Pipeline:
             TutorStudentError: if it cannot be built; the message says where and what to do.
         """
         _check_given(given)
-        parts = {slot: self._part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
+        parts = {slot: self._make_part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
         if (conditions := given.get("conditions")) is None:
-            conditions = self._assembler.parts("condition", self._value("conditions"), ("conditions",))
+            conditions = self._assembler.make_parts("condition", self._get_value("conditions"), ("conditions",))
             self._assembler.slots |= {
                 f"conditions.{part.label}": ("conditions", i) for i, part in enumerate(conditions)
             }
-        limits = self._limits()
-        with self._assembler.placed(()):
+        limits = self._make_limits()
+        with self._assembler.locate_errors(()):
             engine: Engine[Any, Any, Any] = Engine(
                 **parts,
                 conditions=conditions,
                 limits=limits,
                 seed=self.header.seed,
                 on_incident=self.header.on_incident,
-                on_tutor_failure=self._failure_action(parts["tutor"]),
+                on_tutor_failure=self._make_failure_action(parts["tutor"]),
             )
         if self.header.learned is not None:
-            with self._assembler.placed(("learned",)):
+            with self._assembler.locate_errors(("learned",)):
                 transplant(self.header.learned, engine.student)
         return engine
 
@@ -147,50 +147,50 @@ class Pipeline:
             raise PipelineError(
                 f"{self.document.name}: there is no 'world'; add one, as in 'world: {{use: pioneer, scene: cave-box}}'."
             )
-        world: World[Any, Any] = self._assembler.part("world", self.document.data["world"], ("world",))
-        with self._assembler.placed(("world",)):
+        world: World[Any, Any] = self._assembler.make_part("world", self.document.data["world"], ("world",))
+        with self._assembler.locate_errors(("world",)):
             world.bind(Binding(self.header.seed, "world", action))
         return world
 
     def observers(self, action: type[Any]) -> list[Observer]:
         """Build the observers that the file names."""
-        found: list[Observer] = self._assembler.parts("observer", self._value("observers"), ("observers",))
+        found: list[Observer] = self._assembler.make_parts("observer", self._get_value("observers"), ("observers",))
         for i, observer in enumerate(found):
-            with self._assembler.placed(("observers", i)):
+            with self._assembler.locate_errors(("observers", i)):
                 observer.bind(Binding(self.header.seed, f"observers.{i}", action))
         return found
 
-    def _part(self, slot: str) -> Any:
+    def _make_part(self, slot: str) -> Any:
         if slot not in self.document.data and slot not in DEFAULTS:
             raise PipelineError(f"{self.document.name}: there is no '{slot}'; name one, as in '{slot}: {{use: ...}}'.")
-        return self._assembler.part(slot, self._value(slot), (slot,))
+        return self._assembler.make_part(slot, self._get_value(slot), (slot,))
 
-    def _value(self, key: str) -> Any:
+    def _get_value(self, key: str) -> Any:
         return self.document.data.get(key, DEFAULTS.get(key))
 
-    def _limits(self) -> Limits:
-        values = self._value("limits")
+    def _make_limits(self) -> Limits:
+        values = self._get_value("limits")
         if not isinstance(values, dict):
-            raise self._assembler.error(
-                ("limits",), f"found {shown(values)}; write a mapping, as in limits: {{cap: 0.8}}."
+            raise self._assembler.make_error(
+                ("limits",), f"found {quote(values)}; write a mapping, as in limits: {{cap: 0.8}}."
             )
-        return self._assembler.model(Limits, values, ("limits",), "limits")
+        return self._assembler.make_model(Limits, values, ("limits",), "limits")
 
-    def _failure_action(self, tutor: Tutor[Any, Any]) -> Any:
-        values = self._value("on_tutor_failure")
+    def _make_failure_action(self, tutor: Tutor[Any, Any]) -> Any:
+        values = self._get_value("on_tutor_failure")
         if values == "raise":
             return None
         at: Location = ("on_tutor_failure",)
         calm = next((kind for kind, group in tutor.action.vocabulary.groups.items() if not group), "...")
         remedy = f"Write 'raise' or an action, as in on_tutor_failure: {{kind: {calm}}}."
         if not isinstance(values, dict):
-            near = suggestion(values, ["raise"]) if isinstance(values, str) else ""
-            raise self._assembler.error(at, f"found {shown(values)}{near}. {remedy}")
+            near = suggest(values, ["raise"]) if isinstance(values, str) else ""
+            raise self._assembler.make_error(at, f"found {quote(values)}{near}. {remedy}")
         try:
             return tutor.action(**values)
         except ValidationError as error:
-            location, problem = option_problems(tutor.action, error)[0]
-            raise self._assembler.error(
+            location, problem = find_option_problems(tutor.action, error)[0]
+            raise self._assembler.make_error(
                 (*at, *location), f"not a {tutor.action.__name__}: {problem} {remedy}"
             ) from None
 
@@ -200,8 +200,8 @@ def _check_given(given: Mapping[str, Any]) -> None:
     for slot in given:
         if slot not in allowed:
             raise PipelineError(
-                f"there is no slot '{slot}' for a part of your own{suggestion(slot, allowed)}. "
-                f"Slots: {listing(allowed)}."
+                f"there is no slot '{slot}' for a part of your own{suggest(slot, allowed)}. "
+                f"Slots: {list_names(allowed)}."
             )
 
 
@@ -223,7 +223,7 @@ def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pi
             "on_tutor_failure": "raise" if failure is None else failure.model_dump(),
         }
     )
-    return {key: plain(value, pipeline.document.where((key,))) for key, value in values.items()}
+    return {key: make_plain(value, pipeline.document.locate((key,))) for key, value in values.items()}
 
 
 def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: Any) -> Engine[Any, Any, Any]:

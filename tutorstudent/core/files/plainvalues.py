@@ -11,19 +11,19 @@ from tutorstudent.core.roles.part import Component
 from tutorstudent.core.words.errors import PipelineError
 
 
-def plain(value: Any, where: str) -> Any:
+def make_plain(value: Any, where: str) -> Any:
     """Return a description as what YAML and JSON can hold: paths and enums as their values, tuples as lists.
 
     Raises:
         PipelineError: if something in it has no such form; `where` stands for its place.
     """
     try:
-        return to_jsonable_python(value, fallback=_leftover)
+        return to_jsonable_python(value, fallback=_convert_leftover)
     except (TypeError, ValueError) as error:
         raise PipelineError(f"{where}: cannot be written into a file: {error}") from None
 
 
-def _leftover(value: Any) -> Any:
+def _convert_leftover(value: Any) -> Any:
     if isinstance(value, np.generic | np.ndarray):
         return value.tolist()
     if isinstance(value, Component):

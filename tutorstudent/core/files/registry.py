@@ -10,20 +10,27 @@ from typing import NamedTuple
 
 from tutorstudent.core.files.loading import (
     Broken,
-    allowed,
-    broken_by,
-    components,
-    distribution_of,
-    doubled,
-    installed_entry_points,
+    find_distribution,
+    find_double,
+    find_entry_points,
+    is_allowed,
     is_ours,
+    load_parts,
+    make_broken,
 )
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Change, Codec, Condition, Encoder
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.world import World
 from tutorstudent.core.running.observers import Observer
-from tutorstudent.core.words.errors import BrokenPlugin, DuplicatePlugin, UnknownPlugin, an, listing, suggestion
+from tutorstudent.core.words.errors import (
+    BrokenPlugin,
+    DuplicatePlugin,
+    UnknownPlugin,
+    list_names,
+    suggest,
+    with_article,
+)
 
 ROLES: dict[str, type[Component]] = {
     role.role: role
@@ -68,9 +75,9 @@ class Registry:
         TUTORSTUDENT_TRACE=1 every call of a hook is told on standard error.
         """
         registry = cls()
-        found = installed_entry_points(registry.broken) if entry_points is None else entry_points
-        for entry_point in sorted(found, key=lambda ep: (not is_ours(ep), distribution_of(ep), ep.name)):
-            if is_ours(entry_point) or allowed(entry_point):
+        found = find_entry_points(registry.broken) if entry_points is None else entry_points
+        for entry_point in sorted(found, key=lambda ep: (not is_ours(ep), find_distribution(ep), ep.name)):
+            if is_ours(entry_point) or is_allowed(entry_point):
                 registry.load(entry_point)
         return registry
 
@@ -78,20 +85,20 @@ class Registry:
         """Add the components of one entry point: all of them, or none and a `Broken` record."""
         classes: list[type[Component]] = []
         try:
-            classes += components(entry_point)
+            classes += load_parts(entry_point)
             for cls in classes:
                 self._check(cls, entry_point.name)
-            if twice := doubled(classes):
+            if twice := find_double(classes):
                 raise DuplicatePlugin(
                     f"{twice.role} '{twice.name}' of '{entry_point.name}' stands there twice; rename one of them."
                 )
         except KeyboardInterrupt:
             raise
         except BaseException as error:
-            self.broken.append(broken_by(error, entry_point, classes))
+            self.broken.append(make_broken(error, entry_point, classes))
             return
         for cls in classes:
-            self.add(cls, entry_point.name, distribution_of(entry_point))
+            self.add(cls, entry_point.name, find_distribution(entry_point))
 
     def add(self, cls: type[Component], entry_point: str = "", distribution: str = "this program") -> None:
         """Add one component class."""
@@ -110,10 +117,11 @@ class Registry:
         self.check_not_broken(name, role)
         known = [installed.cls.name for installed in self.of(role)]
         elsewhere = [found_role for found_role, found_name in self._found if found_name == name]
-        hint = f" There is {an(elsewhere[0])} of that name." if elsewhere else ""
+        hint = f" There is {with_article(elsewhere[0])} of that name." if elsewhere else ""
         raise UnknownPlugin(
-            f"no {role} named '{name}'{suggestion(name, known)}. Installed: {listing(known)}.{hint} "
-            f"`tutorstudent plugins list` shows all; a package with {an(role)} is installed with pip.{self.suspects()}"
+            f"no {role} named '{name}'{suggest(name, known)}. Installed: {list_names(known)}.{hint} "
+            f"`tutorstudent plugins list` shows all; a package with {with_article(role)} is installed with pip."
+            f"{self.suspects()}"
         )
 
     def check_not_broken(self, name: str, role: str | None = None) -> None:
@@ -131,7 +139,7 @@ class Registry:
 
     def suspects(self) -> str:
         """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
-        others = " ".join(broken.told() for broken in self.broken)
+        others = " ".join(broken.explain() for broken in self.broken)
         return f" These plugins could not be loaded and may provide it: {others}" if others else ""
 
     def of(self, role: str) -> list[Installed]:
@@ -145,11 +153,11 @@ class Registry:
         if not (inspect.isclass(cls) and issubclass(cls, Component)):
             raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return component classes.")
         if cls.role not in ROLES or not issubclass(cls, ROLES[cls.role]):
-            raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {listing(ROLES)}.")
+            raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {list_names(ROLES)}.")
         if not (isinstance(cls.name, str) and _NAME.fullmatch(cls.name)):
             raise BrokenPlugin(f"{cls.__name__} has the name '{cls.name}'; names are like 'wall-follower'.")
         if inspect.isabstract(cls):
-            missing = listing(getattr(cls, "__abstractmethods__", ()))
+            missing = list_names(getattr(cls, "__abstractmethods__", ()))
             raise BrokenPlugin(f"{cls.role} '{cls.name}' ({cls.__name__}) does not implement {missing}.")
         taken = self._found.get((cls.role, cls.name))
         if taken is not None:

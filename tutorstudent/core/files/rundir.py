@@ -5,7 +5,7 @@
 | ``pipeline.yaml`` | the pipeline with every option written out |
 | ``decisions.npz`` | every decision, see `Recorder` |
 | ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), incidents |
-| ``learned.npz`` | what was learned, see `recording.nested` |
+| ``learned.npz`` | what was learned, see `arrays.nest` |
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.part import Component
-from tutorstudent.core.running.arrays import Arrays, flat, save_arrays
+from tutorstudent.core.running.arrays import Arrays, flatten, save_arrays
 from tutorstudent.core.running.observers import Observer, Tally, WorldEvents
 from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.core.words.proposals import exact_number
+from tutorstudent.core.words.proposals import require_number
 
 PACKAGES = ("tutorstudent", "numpy", "pydantic", "pluggy", "pybullet", "scikit-learn")
 
@@ -59,7 +59,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
     """
     with pipeline.built() as built, ExitStack() as stack:
         # Before the run: what cannot be written down should not cost a run.
-        resolved, plugins = describe(built.engine, built.world, pipeline), providers(built, pipeline.registry)
+        resolved, plugins = describe(built.engine, built.world, pipeline), find_providers(built, pipeline.registry)
         recorder, counting = Recorder(), [Tally(), WorldEvents()]
         for observer in (recorder, *counting, *observers):
             slot = f"observers.{observer.name}"
@@ -67,7 +67,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
             stack.callback(observer.close)
         counting = [*counting, *built.observers, *observers]
         _run(built, pipeline, [recorder, *counting])
-        return Finished(built.engine, resolved, plugins, _summary(counting), recorder.arrays())
+        return Finished(built.engine, resolved, plugins, _summarise(counting), recorder.arrays())
 
 
 def _run(built: Built, pipeline: Pipeline, observers: Sequence[Observer]) -> None:
@@ -75,23 +75,23 @@ def _run(built: Built, pipeline: Pipeline, observers: Sequence[Observer]) -> Non
     run(built.engine, built.world, header.decisions, seed=header.seed, observers=observers)
 
 
-def _summary(observers: Iterable[Observer]) -> dict[str, float]:
+def _summarise(observers: Iterable[Observer]) -> dict[str, float]:
     found: dict[str, float] = {}
     for observer in observers:
-        mine = {key: _number(value) for key, value in observer.summary().items()}
-        found |= {_free(key, found): value for key, value in mine.items()}
+        mine = {key: _make_number(value) for key, value in observer.summary().items()}
+        found |= {_find_free_key(key, found): value for key, value in mine.items()}
     return found
 
 
-def _free(key: str, taken: Container[str]) -> str:
+def _find_free_key(key: str, taken: Container[str]) -> str:
     """Return the key, with a number where an earlier observer has it already."""
     numbered = (f"{key}#{number}" for number in count(2))
     return next(name for name in chain([key], numbered) if name not in taken)
 
 
-def _number(value: Any) -> float:
+def _make_number(value: Any) -> float:
     try:
-        return exact_number(value)
+        return require_number(value)
     except (TypeError, ValueError, OverflowError):
         return math.nan
 
@@ -106,11 +106,11 @@ def write_run(directory: Path, finished: Finished) -> str | None:
         PipelineError: if the directory cannot be written.
     """
     prepare(directory)
-    with writing(directory):
+    with explain_write_errors(directory):
         with (directory / "pipeline.yaml").open("w", encoding="utf-8") as stream:
             YAML().dump(finished.resolved, stream)
         save_arrays(directory / "decisions.npz", finished.decisions)
-        text = json.dumps(_record(finished), indent=2, sort_keys=True, allow_nan=False)
+        text = json.dumps(_make_record(finished), indent=2, sort_keys=True, allow_nan=False)
         (directory / "run.json").write_text(f"{text}\n", encoding="utf-8")
         (directory / "learned.npz").unlink(missing_ok=True)
     return _save_learned(directory / "learned.npz", finished.engine)
@@ -118,7 +118,7 @@ def write_run(directory: Path, finished: Finished) -> str | None:
 
 def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
     try:
-        save_arrays(path, flat(engine.state_dict()))
+        save_arrays(path, flatten(engine.state_dict()))
     except Exception as error:  # whatever a part's state_dict() does, the run has been paid for
         path.unlink(missing_ok=True)
         why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
@@ -132,7 +132,7 @@ def prepare(directory: Path) -> None:
     Raises:
         PipelineError: if the directory holds something that is no run, or cannot be made.
     """
-    with writing(directory):
+    with explain_write_errors(directory):
         if directory.exists() and not directory.is_dir():
             raise PipelineError(f"{directory} is a file; name a directory for the run.")
         if directory.is_dir() and any(directory.iterdir()) and not (directory / "run.json").exists():
@@ -141,7 +141,7 @@ def prepare(directory: Path) -> None:
 
 
 @contextmanager
-def writing(place: Path) -> Iterator[None]:
+def explain_write_errors(place: Path) -> Iterator[None]:
     """Turn what the operating system says into a sentence about the place.
 
     Raises:
@@ -154,10 +154,10 @@ def writing(place: Path) -> Iterator[None]:
         raise PipelineError(f"{place}: cannot be written: {reason}. Name a directory that you may write to.") from None
 
 
-def _record(finished: Finished) -> dict[str, Any]:
+def _make_record(finished: Finished) -> dict[str, Any]:
     engine = finished.engine
     return {
-        "versions": versions(),
+        "versions": find_versions(),
         "plugins": finished.plugins,
         "seed": finished.resolved["seed"],
         "decisions": finished.resolved["decisions"],
@@ -167,21 +167,21 @@ def _record(finished: Finished) -> dict[str, Any]:
     }
 
 
-def providers(built: Built, registry: Registry) -> dict[str, str]:
+def find_providers(built: Built, registry: Registry) -> dict[str, str]:
     """Return the distribution of every part, by role and name, as in ``tutor prototype2``."""
     known = {installed.cls: installed.distribution for installed in registry}
     engine = [part for _, part in built.engine.slots()]
-    used = {type(part) for part in _with_parts([*engine, built.world, *built.observers])}
+    used = {type(part) for part in _walk_parts([*engine, built.world, *built.observers])}
     return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
 
 
-def _with_parts(components: Iterable[Component]) -> Iterator[Component]:
+def _walk_parts(components: Iterable[Component]) -> Iterator[Component]:
     for component in components:
         yield component
-        yield from _with_parts(part for _, part in component.parts())
+        yield from _walk_parts(part for _, part in component.parts())
 
 
-def versions() -> dict[str, str]:
+def find_versions() -> dict[str, str]:
     """Return the versions that a result depends on."""
     found = {"python": platform.python_version(), "machine": platform.machine()}
     for package in PACKAGES:

@@ -10,7 +10,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError
 
 
-def key_and_text(option: str, text: str) -> tuple[str, str]:
+def split_setting(option: str, text: str) -> tuple[str, str]:
     """Return both sides of ``KEY=VALUE``, the value as it was written.
 
     Args:
@@ -32,7 +32,7 @@ def read_key_value(option: str, text: str) -> tuple[str, Any]:
     >>> read_key_value("--set", "student.hidden=10")
     ('student.hidden', 10)
     """
-    key, value = key_and_text(option, text)
+    key, value = split_setting(option, text)
     return key, parse_yaml(value, f"{option} {text}").data
 
 
@@ -45,10 +45,10 @@ def read_settings(option: str, texts: Sequence[str]) -> dict[str, Any]:
     return dict(read_key_value(option, text) for text in texts)
 
 
-def as_setting(key: str, value: Any) -> str:
+def format_setting(key: str, value: Any) -> str:
     """Return ``key=value`` for messages, shortened where it is long.
 
-    >>> as_setting("student.hidden", 10), as_setting("limits", {"cap": None})
+    >>> format_setting("student.hidden", 10), format_setting("limits", {"cap": None})
     ('student.hidden=10', 'limits={"cap": null}')
     """
     text = value if isinstance(value, str) else json.dumps(value, default=str)

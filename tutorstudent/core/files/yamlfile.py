@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
-from tutorstudent.core.files.yamlnodes import DEEPEST, Location, NodeReader, Place, position, syntax_problem
+from tutorstudent.core.files.yamlnodes import DEEPEST, Location, NodeReader, Place, count_position, explain_syntax
 from tutorstudent.core.words.errors import PipelineError
 
 LARGEST = 500_000
@@ -25,7 +25,7 @@ class Document(NamedTuple):
     settings: Mapping[Location, str] = {}
     """What was set from elsewhere, as ``key=value``; it stands nowhere in the file."""
 
-    def where(self, location: Location) -> str:
+    def locate(self, location: Location) -> str:
         """Return ``file:line:column: dotted.key`` of a location, or of its nearest parent that stands in the file.
 
         Settings above and below the location are named: ``file (with seed=-1): seed``.
@@ -35,12 +35,12 @@ class Document(NamedTuple):
             near = near[:-1]
         dotted = ".".join(str(key) for key in location)
         settings = [text for at, text in self.settings.items() if _overlap(at, location)]
-        position = _position(self.name, self.places.get(near))
+        position = _format_position(self.name, self.places.get(near))
         if settings:
             position = f"{position} (with {', '.join(settings)})"
         return f"{position}: {dotted}" if dotted else position
 
-    def replaced(self, at: Location, data: Any, setting: str) -> Document:
+    def replace(self, at: Location, data: Any, setting: str) -> Document:
         """Return the document with other data, in which `setting` gave what is at and below a location."""
         places = {other: place for other, place in self.places.items() if other[: len(at)] != at}
         settings = {other: text for other, text in self.settings.items() if other[: len(at)] != at}
@@ -51,7 +51,7 @@ def _overlap(one: Location, other: Location) -> bool:
     return all(a == b for a, b in zip(one, other, strict=False))
 
 
-def _position(name: str, place: Place | None) -> str:
+def _format_position(name: str, place: Place | None) -> str:
     return f"{place.file or name}:{place.line}:{place.column}" if place else name
 
 
@@ -67,7 +67,7 @@ def read_yaml(path: Path) -> Document:
         raise PipelineError(f"{path}: there is no such file. Give the path of a YAML file.") from None
     except UnicodeDecodeError as error:
         before = error.object[: error.start].decode("utf-8")
-        place = f"{path}:{position(before, len(before))}"
+        place = f"{path}:{count_position(before, len(before))}"
         raise PipelineError(f"{place}: cannot be read: this is not UTF-8. Save the file in UTF-8.") from None
     except OSError as error:
         raise PipelineError(f"{path}: cannot be read: {error.strerror}. Give the path of a YAML file.") from None
@@ -85,11 +85,11 @@ def parse_yaml(text: str, name: str) -> Document:
     reader = NodeReader(name)
     try:
         node = _compose(text)
-        return Document(name, None if node is None else reader.value(node), reader.places)
+        return Document(name, None if node is None else reader.read_value(node), reader.places)
     except RecursionError:
         raise PipelineError(f"{name}: it is nested too deeply, or in itself; write it flat.") from None
     except YAMLError as error:
-        raise PipelineError(syntax_problem(name, text, error)) from None
+        raise PipelineError(explain_syntax(name, text, error)) from None
 
 
 def _compose(text: str) -> Any:

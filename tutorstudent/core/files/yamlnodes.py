@@ -38,75 +38,77 @@ class NodeReader:
         self._name = name
         self._count = 0
 
-    def value(self, node: Node, at: Location = ()) -> Any:
+    def read_value(self, node: Node, at: Location = ()) -> Any:
         """Return what a node stands for, and note the places of all that is in it.
 
         Raises:
             PipelineError: if it is not plain; the message says where and what to do.
         """
-        self._bound(node, at)
+        self._check_bounds(node, at)
         tag = str(node.tag).replace(STANDARD, "!!")
         if isinstance(node, MappingNode) and tag == "!!map":
-            return self._mapping(node, at)
+            return self._read_mapping(node, at)
         if isinstance(node, SequenceNode) and tag == "!!seq":
-            return [self._at(item, item, (*at, i)) for i, item in enumerate(node.value)]
+            return [self._read_at(item, item, (*at, i)) for i, item in enumerate(node.value)]
         if isinstance(node, ScalarNode) and tag in _SCALARS:
-            return self._scalar(node, tag, at)
-        raise self._error(node, at, f"the tag '{tag}' is not allowed; write plain YAML without tags.")
+            return self._read_scalar(node, tag, at)
+        raise self._make_error(node, at, f"the tag '{tag}' is not allowed; write plain YAML without tags.")
 
-    def _bound(self, node: Node, at: Location) -> None:
+    def _check_bounds(self, node: Node, at: Location) -> None:
         self._count += 1
         if len(at) > DEEPEST:
-            raise self._error(node, at[:3], "it is nested too deeply, or in itself; write it flat.")
+            raise self._make_error(node, at[:3], "it is nested too deeply, or in itself; write it flat.")
         if self._count > MOST:
             problem = f"there are more than {MOST:,} values, repeated ones included; write less."
-            raise self._told(self.places.get(at[:1], Place(1, 1)), at[:1], problem)
+            raise self._make_error_at(self.places.get(at[:1], Place(1, 1)), at[:1], problem)
 
-    def _at(self, marked: Node, node: Node, at: Location) -> Any:
-        self.places[at] = _place(marked)
-        return self.value(node, at)
+    def _read_at(self, marked: Node, node: Node, at: Location) -> Any:
+        self.places[at] = _find_place(marked)
+        return self.read_value(node, at)
 
-    def _mapping(self, node: MappingNode, at: Location) -> dict[str, Any]:
+    def _read_mapping(self, node: MappingNode, at: Location) -> dict[str, Any]:
         values: dict[str, Any] = {}
         own: set[str] = set()
-        for merged in reversed(list(self._merged(node, at))):
-            self._bound(merged, at)
-            values |= self._mapping(merged, at)
+        for merged in reversed(list(self._find_merged(node, at))):
+            self._check_bounds(merged, at)
+            values |= self._read_mapping(merged, at)
         for key_node, value_node in node.value:
             if not _is_merge(key_node):
-                key = self._key(key_node, at)
+                key = self._read_key(key_node, at)
                 if key in own:
                     line = self.places[*at, key].line
-                    raise self._error(key_node, (*at, key), f"this key is in line {line} already; keep one of them.")
+                    raise self._make_error(
+                        key_node, (*at, key), f"this key is in line {line} already; keep one of them."
+                    )
                 own.add(key)
-                values[key] = self._at(key_node, value_node, (*at, key))
+                values[key] = self._read_at(key_node, value_node, (*at, key))
         return values
 
-    def _merged(self, node: MappingNode, at: Location) -> Iterator[MappingNode]:
+    def _find_merged(self, node: MappingNode, at: Location) -> Iterator[MappingNode]:
         """Yield the mappings that ``<<`` names, the strongest first."""
         for _, value in filter(lambda pair: _is_merge(pair[0]), node.value):
             for item in value.value if isinstance(value, SequenceNode) else [value]:
                 if not isinstance(item, MappingNode):
-                    raise self._error(item, at, "'<<' merges mappings; name one by its alias, as in <<: *name.")
+                    raise self._make_error(item, at, "'<<' merges mappings; name one by its alias, as in <<: *name.")
                 yield item
 
-    def _key(self, node: Node, at: Location) -> str:
+    def _read_key(self, node: Node, at: Location) -> str:
         if isinstance(node, ScalarNode) and str(node.tag) == f"{STANDARD}str":
             return str(node.value)
         shown = node.value if isinstance(node, ScalarNode) else "in brackets"
-        raise self._error(node, at, f"the key {shown} is not a word; quote it.")
+        raise self._make_error(node, at, f"the key {shown} is not a word; quote it.")
 
-    def _scalar(self, node: ScalarNode, tag: str, at: Location) -> Any:
+    def _read_scalar(self, node: ScalarNode, tag: str, at: Location) -> Any:
         try:
             return _SCALARS[tag](node.value)
         except (KeyError, ValueError) as error:
             reason = f": {error}" if isinstance(error, _Ambiguous) else " that can be read"
-            raise self._error(node, at, f"'{_short(node.value)}' is no {tag.strip('!')}{reason}.") from None
+            raise self._make_error(node, at, f"'{_shorten(node.value)}' is no {tag.strip('!')}{reason}.") from None
 
-    def _error(self, node: Node, at: Location, problem: str) -> PipelineError:
-        return self._told(_place(node), at, problem)
+    def _make_error(self, node: Node, at: Location, problem: str) -> PipelineError:
+        return self._make_error_at(_find_place(node), at, problem)
 
-    def _told(self, place: Place, at: Location, problem: str) -> PipelineError:
+    def _make_error_at(self, place: Place, at: Location, problem: str) -> PipelineError:
         dotted = ".".join(str(key) for key in at)
         where = f"{self._name}:{place.line}:{place.column}"
         return PipelineError(f"{where}: {dotted}: {problem}" if dotted else f"{where}: {problem}")
@@ -116,7 +118,7 @@ class _Ambiguous(ValueError):
     """A number that is another one to other readers."""
 
 
-def _place(node: Node) -> Place:
+def _find_place(node: Node) -> Place:
     return Place(node.start_mark.line + 1, node.start_mark.column + 1)
 
 
@@ -124,26 +126,26 @@ def _is_merge(key: Node) -> bool:
     return str(key.tag) == f"{STANDARD}merge"
 
 
-def _short(text: str) -> str:
+def _shorten(text: str) -> str:
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 
-def _int(text: str) -> int:
+def _read_int(text: str) -> int:
     if _LEADING_ZERO.fullmatch(text):
         plain = text.lstrip("+-0") or "0"
         raise _Ambiguous(f"with a leading zero it is octal to some; write {plain}, or 0o{plain} if that is meant")
     return int(text, 0)
 
 
-def _float(text: str) -> float:
+def _read_float(text: str) -> float:
     return float(text.lower().replace(".inf", "inf").replace(".nan", "nan"))
 
 
 _SCALARS: Mapping[str, Callable[[str], Any]] = {
     "!!null": lambda _: None,
     "!!bool": lambda text: {"true": True, "false": False}[text.lower()],
-    "!!int": _int,
-    "!!float": _float,
+    "!!int": _read_int,
+    "!!float": _read_float,
     "!!str": str,
     "!!timestamp": str,
     "!!value": str,
@@ -184,38 +186,38 @@ REMEDIES = (
 GENERAL = Remedy("", False, "{problem}.")
 
 
-def syntax_problem(name: str, text: str, error: YAMLError) -> str:
+def explain_syntax(name: str, text: str, error: YAMLError) -> str:
     """Return ``file:line:column: sentence`` for an error of the parser about a text."""
     if isinstance(error, ReaderError):
-        return f"{name}:{position(text, error.position)}: not valid YAML: {_character(error)} Remove it."
+        return f"{name}:{count_position(text, error.position)}: not valid YAML: {_describe_character(error)} Remove it."
     if not isinstance(error, MarkedYAMLError) or error.problem_mark is None:
-        return f"{name}: not valid YAML: {_line(str(error))}."
+        return f"{name}: not valid YAML: {_join_lines(str(error))}."
     said = f"{error.context} {error.problem}"
     remedy = next((remedy for remedy in REMEDIES if remedy.said in said), GENERAL)
     end, begin = error.problem_mark, error.context_mark or error.problem_mark
     mark = begin if remedy.at_context else end
     sentence = remedy.sentence.format(
-        problem=_line(str(error.problem)),
+        problem=_join_lines(str(error.problem)),
         end=f" before line {end.line + 1}" if end.line > begin.line else "",
         begin=f", which begins in line {begin.line + 1}" if begin.line < end.line else "",
     )
     return f"{name}:{mark.line + 1}:{mark.column + 1}: not valid YAML: {sentence}"
 
 
-def position(text: str, index: int) -> str:
+def count_position(text: str, index: int) -> str:
     r"""Return ``line:column``, counted from 1, of a character of a text.
 
-    >>> position("a: 1\nb: 2", 8)
+    >>> count_position("a: 1\nb: 2", 8)
     '2:4'
     """
     before = text[:index]
     return f"{before.count(chr(10)) + 1}:{index - before.rfind(chr(10))}"
 
 
-def _character(error: ReaderError) -> str:
+def _describe_character(error: ReaderError) -> str:
     code = ord(error.character) if isinstance(error.character, str) else error.character
     return f"the character #x{code:04x} is not allowed."
 
 
-def _line(text: str) -> str:
+def _join_lines(text: str) -> str:
     return " ".join(text.split()).rstrip(".")

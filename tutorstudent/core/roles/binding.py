@@ -20,12 +20,12 @@ class Binding(NamedTuple):
     """The tutor's action class, so that a codec knows the kinds."""
 
 
-def stream(seed: int, slot: str) -> np.random.Generator:
+def make_stream(seed: int, slot: str) -> np.random.Generator:
     """Return the random generator of a slot: the same seed and slot give the same numbers in any process.
 
-    >>> bool(stream(7, "student").random() == stream(7, "student").random())
+    >>> bool(make_stream(7, "student").random() == make_stream(7, "student").random())
     True
-    >>> bool(stream(7, "student").random() == stream(7, "tutor").random())
+    >>> bool(make_stream(7, "student").random() == make_stream(7, "tutor").random())
     False
     """
     digest = hashlib.sha256(slot.encode()).digest()

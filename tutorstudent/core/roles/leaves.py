@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.roles.part import EnginePart
 from tutorstudent.core.words.actions import ActionT
-from tutorstudent.core.words.errors import ContractError, shown
+from tutorstudent.core.words.errors import ContractError, quote
 from tutorstudent.core.words.proposals import ProposalT
 from tutorstudent.core.words.records import GradedAction, Moment, StateT
 
@@ -99,7 +99,7 @@ def encoder(name: str, width: int) -> Callable[[Callable[[Any], Any]], type[Enco
             return np.asarray(function(moment), dtype=np.float64)
 
         body = {"width": property(lambda _self: width), "encode": encode}
-        return _leaf(Encoder, name, function, body)
+        return _make_leaf(Encoder, name, function, body)
 
     return decorate
 
@@ -111,7 +111,7 @@ def change(name: str) -> Callable[[Callable[[float, float], float]], type[Change
         def fraction(_self: Change, amplification: float, magnitude: float) -> float:
             return function(amplification, magnitude)
 
-        return _leaf(Change, name, function, {"fraction": fraction})
+        return _make_leaf(Change, name, function, {"fraction": fraction})
 
     return decorate
 
@@ -130,15 +130,15 @@ def condition(name: str) -> Callable[[Callable[[Any], bool]], type[Condition[Any
         def violated(_self: Condition[Any], state: Any) -> bool:
             return function(state)
 
-        return _leaf(Condition, name, function, {"violated": violated})
+        return _make_leaf(Condition, name, function, {"violated": violated})
 
     return decorate
 
 
-def _leaf(base: type[Any], name: str, function: Callable[..., Any], body: dict[str, Any]) -> type[Any]:
+def _make_leaf(base: type[Any], name: str, function: Callable[..., Any], body: dict[str, Any]) -> type[Any]:
     if not callable(function):
         raise ContractError(
-            f"{base.role} '{name}': found {shown(function)}; expected a function, as in lambda y: y > 80."
+            f"{base.role} '{name}': found {quote(function)}; expected a function, as in lambda y: y > 80."
         )
     like = function if hasattr(function, "__name__") else type(function)  # of an object, its class
     described = {"name": name, "__doc__": like.__doc__, "__module__": like.__module__}

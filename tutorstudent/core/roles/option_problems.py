@@ -8,16 +8,16 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
-from tutorstudent.core.words.errors import listing, shown, suggestion
+from tutorstudent.core.words.errors import list_names, quote, suggest
 
 
-def option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
+def find_option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
     """Return (location, sentence) for every mistake in a pydantic error about `model`, unknown options first.
 
     An option that is missing is most often one that is misspelt.
     """
     items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
-    return [(tuple(item["loc"]), _problem(model, item)) for item in items]
+    return [(tuple(item["loc"]), _describe_problem(model, item)) for item in items]
 
 
 def refuse_truth(annotation: Any, value: Any) -> None:
@@ -26,17 +26,17 @@ def refuse_truth(annotation: Any, value: Any) -> None:
     Raises:
         ValueError: if there is one.
     """
-    wanted = set(_leaves(annotation))
+    wanted = set(_find_leaves(annotation))
     if wanted & {int, float} and bool not in wanted and Any not in wanted and _holds_truth(value):
         raise ValueError("input should be a number, not true or false")
 
 
-def _leaves(annotation: Any) -> Iterator[Any]:
+def _find_leaves(annotation: Any) -> Iterator[Any]:
     inner = get_args(annotation)
     if get_origin(annotation) is Literal:
         yield from map(type, inner)
     elif inner:
-        yield from (leaf for arg in inner for leaf in _leaves(arg))
+        yield from (leaf for arg in inner for leaf in _find_leaves(arg))
     elif annotation is Any or isinstance(annotation, type):
         yield annotation
 
@@ -45,14 +45,14 @@ def _holds_truth(value: Any) -> bool:
     return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_holds_truth, value)))
 
 
-def _problem(model: type[BaseModel], item: Any) -> str:
+def _describe_problem(model: type[BaseModel], item: Any) -> str:
     *above, last = item["loc"] or ("",)
     path = ".".join(str(key) for key in item["loc"])
     match item["type"]:
         case "extra_forbidden":
-            return _unknown(model, item["loc"], path)
+            return _describe_unknown(model, item["loc"], path)
         case "missing" if isinstance(last, int):
-            return f"option '{'.'.join(map(str, above))}': it has too few values, found {shown(item['input'])}."
+            return f"option '{'.'.join(map(str, above))}': it has too few values, found {quote(item['input'])}."
         case "missing":
             return f"option '{path}' is required."
         case "is_instance_of":
@@ -60,31 +60,31 @@ def _problem(model: type[BaseModel], item: Any) -> str:
             return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
         case "value_error":
             said = str(item["ctx"]["error"]).rstrip(".")
-            return f"option '{path}': {said}, found {shown(item['input'])}." if path else f"{said}."
-    return f"option '{path}': {_expected(item)}, found {shown(item['input'])}{_near(item)}."
+            return f"option '{path}': {said}, found {quote(item['input'])}." if path else f"{said}."
+    return f"option '{path}': {_describe_expected(item)}, found {quote(item['input'])}{_suggest_choice(item)}."
 
 
-def _unknown(model: type[BaseModel], location: tuple[int | str, ...], path: str) -> str:
-    holder = _holder(model, [key for key in location if isinstance(key, str)])
+def _describe_unknown(model: type[BaseModel], location: tuple[int | str, ...], path: str) -> str:
+    holder = _find_holder(model, [key for key in location if isinstance(key, str)])
     known = holder.model_fields if holder else {}
-    allowed = f" Options: {listing(known)}." if holder else ""
-    return f"unknown option '{path}'{suggestion(str(location[-1]), known)}.{allowed}"
+    allowed = f" Options: {list_names(known)}." if holder else ""
+    return f"unknown option '{path}'{suggest(str(location[-1]), known)}.{allowed}"
 
 
-def _expected(item: Any) -> str:
+def _describe_expected(item: Any) -> str:
     said = str(item["msg"]).partition(", unable to parse")[0]
     return f"{said[0].lower()}{said[1:]}"
 
 
-def _near(item: Any) -> str:
+def _suggest_choice(item: Any) -> str:
     expected = item.get("ctx", {}).get("expected", "")
-    return suggestion(item["input"], re.findall(r"'([^']+)'", expected)) if isinstance(item["input"], str) else ""
+    return suggest(item["input"], re.findall(r"'([^']+)'", expected)) if isinstance(item["input"], str) else ""
 
 
-def _holder(model: type[BaseModel], path: list[str]) -> type[BaseModel] | None:
+def _find_holder(model: type[BaseModel], path: list[str]) -> type[BaseModel] | None:
     # The model in which the last key stands; None where the way there leads through something else.
     if len(path) == 1:
         return model
     inner = model.model_fields[path[0]].annotation if path[0] in model.model_fields else None
     nested = [item for item in (inner, *get_args(inner)) if isinstance(item, type) and issubclass(item, BaseModel)]
-    return _holder(nested[0], path[1:]) if len(nested) == 1 else None
+    return _find_holder(nested[0], path[1:]) if len(nested) == 1 else None

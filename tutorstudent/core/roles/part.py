@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, ValidationInfo, field_validator
 
-from tutorstudent.core.roles.binding import Binding, stream
-from tutorstudent.core.roles.option_problems import option_problems, refuse_truth
+from tutorstudent.core.roles.binding import Binding, make_stream
+from tutorstudent.core.roles.option_problems import find_option_problems, refuse_truth
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError, list_names, suggest
 
 Learned = Mapping[str, Any]
 """What was learned: arrays, numbers, strings, and mappings of these."""
@@ -35,7 +35,7 @@ class Options(BaseModel):
 
     @field_validator("*", mode="before")
     @classmethod
-    def _no_truth_for_a_number(cls, value: Any, info: ValidationInfo) -> Any:
+    def _refuse_truth(cls, value: Any, info: ValidationInfo) -> Any:
         refuse_truth(cls.model_fields[str(info.field_name)].annotation, value)
         return value
 
@@ -65,7 +65,7 @@ class Component(abc.ABC):
         try:
             self.options: Any = self.Options(**options)
         except ValidationError as error:
-            raise PipelineError(option_message(type(self), error)) from None
+            raise PipelineError(explain_option_error(type(self), error)) from None
 
     def bind(self, binding: Binding) -> None:
         """Tell the component its place. Called once by the engine or the assembler; children first."""
@@ -75,7 +75,7 @@ class Component(abc.ABC):
             )
         self.slot = binding.slot
         self.action_class = binding.action
-        self.rng = stream(binding.seed, binding.slot)
+        self.rng = make_stream(binding.seed, binding.slot)
         for key, part in self.parts():
             part.bind(binding._replace(slot=f"{binding.slot}.{key}"))
         try:
@@ -111,15 +111,15 @@ class Component(abc.ABC):
         for key, value in state.items():
             if key not in nested:
                 raise ContractError(
-                    f"{self.role} '{self.name}' learned nothing named '{key}'{suggestion(key, nested)}; "
-                    f"it takes {listing(nested)}."
+                    f"{self.role} '{self.name}' learned nothing named '{key}'{suggest(key, nested)}; "
+                    f"it takes {list_names(nested)}."
                 )
             nested[key].load_state_dict(value)
 
     def describe(self) -> dict[str, Any]:
         """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""
         return {"use": self.name} | {
-            key: _described(getattr(self.options, key)) for key in type(self.options).model_fields
+            key: _describe_value(getattr(self.options, key)) for key in type(self.options).model_fields
         }
 
     def __repr__(self) -> str:
@@ -137,21 +137,21 @@ class EnginePart(Component):
                 part.reset()
 
 
-def _described(value: Any) -> Any:
+def _describe_value(value: Any) -> Any:
     if isinstance(value, Component):
         return value.describe()
     if isinstance(value, BaseModel):
-        return {key: _described(getattr(value, key)) for key in type(value).model_fields}
+        return {key: _describe_value(getattr(value, key)) for key in type(value).model_fields}
     if isinstance(value, list | tuple):
-        return [_described(item) for item in value]
+        return [_describe_value(item) for item in value]
     if isinstance(value, Mapping):
-        return {key: _described(item) for key, item in value.items()}
+        return {key: _describe_value(item) for key, item in value.items()}
     return value
 
 
-def option_message(cls: type[Component], error: ValidationError) -> str:
+def explain_option_error(cls: type[Component], error: ValidationError) -> str:
     """Say in one sentence what is wrong with a component's options."""
-    return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in option_problems(cls.Options, error))
+    return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in find_option_problems(cls.Options, error))
 
 
-__all__ = ["Component", "EnginePart", "Field", "Learned", "Options", "option_message"]
+__all__ = ["Component", "EnginePart", "Field", "Learned", "Options", "explain_option_error"]

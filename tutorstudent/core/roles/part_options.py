@@ -11,7 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 from tutorstudent.core.roles.part import Component
 
 ROLE_KEY = "x-role"
-"""Stands in an option's JSON schema for any component of the role; `schema.pipeline_schema` fills it in."""
+"""Stands in an option's JSON schema for any component of the role; `schema.make_schema` fills it in."""
 
 
 class PartMarker:
@@ -44,10 +44,10 @@ class PartOption(NamedTuple):
     """Whether nothing may."""
 
 
-def part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
+def read_part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
     """Return what an option's annotation asks for, or None if the option is no component.
 
-    >>> part_option(int, []) is None
+    >>> read_part_option(int, []) is None
     True
     """
     if any(isinstance(item, PartMarker) for item in metadata):
@@ -56,8 +56,8 @@ def part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
             return PartOption(found, one=True, many=False, none=False)
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
-        return part_option(inner[0], list(inner[1:]))
-    found_inside = [option for arg in inner if (option := part_option(arg, []))]
+        return read_part_option(inner[0], list(inner[1:]))
+    found_inside = [option for arg in inner if (option := read_part_option(arg, []))]
     if not found_inside:
         return None
     if origin in (Union, UnionType):
@@ -66,7 +66,7 @@ def part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
     return PartOption(found_inside[0].role, one=False, many=True, none=False)
 
 
-def part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
+def read_part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
     """Return the role that an option's annotation asks for, or None if the option is no component."""
-    option = part_option(annotation, metadata)
+    option = read_part_option(annotation, metadata)
     return option.role if option else None

@@ -17,7 +17,7 @@ from tutorstudent.core.words.errors import ContractError
 Arrays = dict[str, NDArray[Any]]
 
 
-def flat(state: Learned, prefix: str = "") -> Arrays:
+def flatten(state: Learned, prefix: str = "") -> Arrays:
     """Return nested learned state as one level of arrays, keyed by path.
 
     Within a key, whatever is not a letter, digit or one of ``_.-~`` is written as in a URL, so that every path is
@@ -26,9 +26,9 @@ def flat(state: Learned, prefix: str = "") -> Arrays:
     Raises:
         ContractError: if a key is no string.
 
-    >>> {key: value.tolist() for key, value in flat({"student": {"w": [1.0], "n": 2}}).items()}
+    >>> {key: value.tolist() for key, value in flatten({"student": {"w": [1.0], "n": 2}}).items()}
     {'student/w': [1.0], 'student/n': 2}
-    >>> list(flat({"a/b": 1, "a": {"b": 2}}))
+    >>> list(flatten({"a/b": 1, "a": {"b": 2}}))
     ['a%2Fb', 'a/b']
     """
     arrays: Arrays = {}
@@ -36,14 +36,14 @@ def flat(state: Learned, prefix: str = "") -> Arrays:
         if not isinstance(key, str):
             raise ContractError(f"the key {key!r} of learned state is no string; use strings.")
         path = f"{prefix}{quote(key, safe='')}"
-        arrays |= flat(value, f"{path}/") if isinstance(value, Mapping) else {path: np.asarray(value)}
+        arrays |= flatten(value, f"{path}/") if isinstance(value, Mapping) else {path: np.asarray(value)}
     return arrays
 
 
-def nested(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
-    """Return what `flat` was given; arrays without dimensions become plain values.
+def nest(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return what `flatten` was given; arrays without dimensions become plain values.
 
-    >>> nested(flat({"student": {"n": 2}, "decisions": 5}))
+    >>> nest(flatten({"student": {"n": 2}, "decisions": 5}))
     {'student': {'n': 2}, 'decisions': 5}
     """
     state: dict[str, Any] = {}

@@ -90,16 +90,16 @@ class Recorder(Observer):
         )
         columns: Arrays = {name: self._heads[:n, i].copy() for i, name in enumerate(names)}
         return columns | {
-            "kind_names": _words(self._kinds),
-            "situation_names": _words(list(self._situation_of)),
+            "kind_names": _make_words(self._kinds),
+            "situation_names": _make_words(list(self._situation_of)),
             "executed": self._executed[:n],
-            "component_names": _words(self._components),
+            "component_names": _make_words(self._components),
             "violated": self._violated[:n],
-            "condition_names": _words(self._conditions),
+            "condition_names": _make_words(self._conditions),
             "events": self._world[:n],
-            "event_names": _words(self._events),
+            "event_names": _make_words(self._events),
         }
 
 
-def _words(words: list[str]) -> NDArray[np.str_]:
+def _make_words(words: list[str]) -> NDArray[np.str_]:
     return np.array(words, dtype=np.str_) if words else np.zeros(0, dtype="<U1")

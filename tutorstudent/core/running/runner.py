@@ -10,13 +10,13 @@ import numpy as np
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.world import World
 from tutorstudent.core.running.observers import Begin, Observer
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 
-def trial_seed(seed: int, trial: int) -> int:
+def make_trial_seed(seed: int, trial: int) -> int:
     """Return the seed of a trial; trials of one run differ, and the same run has the same trials.
 
-    >>> trial_seed(7, 0) == trial_seed(7, 0), trial_seed(7, 0) == trial_seed(7, 1)
+    >>> make_trial_seed(7, 0) == make_trial_seed(7, 0), make_trial_seed(7, 0) == make_trial_seed(7, 1)
     (True, False)
     """
     return int(np.random.SeedSequence([seed, trial]).generate_state(1)[0])
@@ -43,7 +43,7 @@ def run(
         observer.begin(Begin(engine, world, decisions))
     trial = 0
     engine.reset()
-    state = world.reset(trial_seed(seed, trial))
+    state = world.reset(make_trial_seed(seed, trial))
     for _ in range(decisions):
         step = world.step(engine.propagate(state))
         if step.truncated and not step.done:
@@ -59,7 +59,7 @@ def run(
         if step.done or step.truncated:
             trial += 1
             engine.reset()
-            state = world.reset(trial_seed(seed, trial))
+            state = world.reset(make_trial_seed(seed, trial))
 
 
 def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
@@ -70,8 +70,8 @@ def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
             f"returns {engine.tutor.action.__name__}. Use a tutor and a world of one action class."
         )
     if world.goal_event and world.goal_event not in world.event_names:
-        near = suggestion(world.goal_event, world.event_names)
+        near = suggest(world.goal_event, world.event_names)
         raise ContractError(
             f"world '{world.name}': goal_event is '{world.goal_event}', which is none of its events{near}. "
-            f"Events: {listing(world.event_names)}. Name one of them, or leave goal_event empty."
+            f"Events: {list_names(world.event_names)}. Name one of them, or leave goal_event empty."
         )

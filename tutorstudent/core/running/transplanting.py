@@ -10,7 +10,7 @@ from pydantic import AfterValidator
 
 from tutorstudent.core.roles.interfaces import Student
 from tutorstudent.core.roles.part import Learned
-from tutorstudent.core.running.arrays import Arrays, load_arrays, nested
+from tutorstudent.core.running.arrays import Arrays, load_arrays, nest
 from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 LearnedFile = Annotated[Path, AfterValidator(Path.absolute)]
@@ -24,7 +24,7 @@ def transplant(path: Path, student: Student[Any, Any, Any]) -> None:
     Raises:
         PipelineError: the file holds nothing that this student could take; says why.
     """
-    learned = _of_student(path)
+    learned = _read_learned(path)
     try:
         student.load_state_dict(learned)
     except TutorStudentError as error:
@@ -34,9 +34,9 @@ def transplant(path: Path, student: Student[Any, Any, Any]) -> None:
         raise PipelineError(f"{path}: student '{student.name}' cannot take it: {why}. {REMEDY}") from None
 
 
-def _of_student(path: Path) -> Learned:
+def _read_learned(path: Path) -> Learned:
     try:
-        learned = nested(_arrays(path)).get("student")
+        learned = nest(_read_arrays(path)).get("student")
     except (TypeError, AttributeError):  # one name leads through another that is an array
         learned = None
     if not isinstance(learned, Mapping) or not learned:
@@ -44,7 +44,7 @@ def _of_student(path: Path) -> Learned:
     return learned
 
 
-def _arrays(path: Path) -> Arrays:
+def _read_arrays(path: Path) -> Arrays:
     try:
         return load_arrays(path)
     except FileNotFoundError:

@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, get_args, get_or
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.fields import FieldInfo
 
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 Direction = Literal["+", "-", "outward"]
 AmplificationMap = Mapping[str, Mapping[str | tuple[str, ...], Direction]]
@@ -112,13 +112,13 @@ class Action(BaseModel):
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
         super().__pydantic_init_subclass__(**kwargs)
-        cls.vocabulary = vocabulary_of(cls)
+        cls.vocabulary = read_vocabulary(cls)
 
 
 ActionT = TypeVar("ActionT", bound=Action)
 
 
-def rebuilt(action: ActionT, changes: dict[str, float] | None = None) -> ActionT:
+def rebuild(action: ActionT, changes: dict[str, float] | None = None) -> ActionT:
     """Return a validated copy of an action, with other values for some components.
 
     Raises:
@@ -130,21 +130,21 @@ def rebuilt(action: ActionT, changes: dict[str, float] | None = None) -> ActionT
     return type(action)(**(values | changes if changes else values))
 
 
-def vocabulary_of(cls: type[Action]) -> Vocabulary:
+def read_vocabulary(cls: type[Action]) -> Vocabulary:
     """Return what an action class says it can say; raises ContractError where that makes no sense."""
-    kinds = _kinds(cls)
-    specs = {name: _spec(name, info) for name, info in cls.model_fields.items() if name != "kind"}
+    kinds = _read_kinds(cls)
+    specs = {name: _read_spec(name, info) for name, info in cls.model_fields.items() if name != "kind"}
     unknown = [kind for kind in cls.amplification if kind not in kinds]
     if unknown:
         raise ContractError(
-            f"action class {cls.__name__}: amplification names the kind '{unknown[0]}'{suggestion(unknown[0], kinds)}; "
-            f"its kinds are {listing(kinds)}."
+            f"action class {cls.__name__}: amplification names the kind '{unknown[0]}'{suggest(unknown[0], kinds)}; "
+            f"its kinds are {list_names(kinds)}."
         )
-    groups = {kind: _groups(cls, kind, specs) for kind in kinds}
+    groups = {kind: _make_groups(cls, kind, specs) for kind in kinds}
     return Vocabulary(kinds, ("kind", *specs), specs, groups)
 
 
-def _kinds(cls: type[Action]) -> tuple[str, ...]:
+def _read_kinds(cls: type[Action]) -> tuple[str, ...]:
     annotation = cls.model_fields["kind"].annotation
     if annotation is str:
         return ("command",)
@@ -156,7 +156,7 @@ def _kinds(cls: type[Action]) -> tuple[str, ...]:
     )
 
 
-def _spec(name: str, info: FieldInfo) -> ComponentSpec:
+def _read_spec(name: str, info: FieldInfo) -> ComponentSpec:
     extra: Any = info.json_schema_extra
     declared: dict[str, Any] = extra.get("component", {}) if isinstance(extra, dict) else {}
     low = next((float(m.ge) for m in info.metadata if getattr(m, "ge", None) is not None), -math.inf)
@@ -175,19 +175,19 @@ def _spec(name: str, info: FieldInfo) -> ComponentSpec:
     )
 
 
-def _groups(cls: type[Action], kind: str, specs: Mapping[str, ComponentSpec]) -> tuple[Group, ...]:
+def _make_groups(cls: type[Action], kind: str, specs: Mapping[str, ComponentSpec]) -> tuple[Group, ...]:
     where = f"action class {cls.__name__}, kind '{kind}'"
     keys = {(key,) if isinstance(key, str) else tuple(key): d for key, d in cls.amplification.get(kind, {}).items()}
     named = [name for names in keys for name in names]
     doubled = [name for name in named if named.count(name) > 1]
     if doubled:
         raise ContractError(f"{where}: the component '{doubled[0]}' is amplified twice; name it once.")
-    return tuple(_group(where, names, direction, specs) for names, direction in keys.items())
+    return tuple(_make_group(where, names, direction, specs) for names, direction in keys.items())
 
 
-def _group(where: str, names: tuple[str, ...], direction: Direction, specs: Mapping[str, ComponentSpec]) -> Group:
+def _make_group(where: str, names: tuple[str, ...], direction: Direction, specs: Mapping[str, ComponentSpec]) -> Group:
     if not names:
-        raise ContractError(f"{where}: a vector without components; its components are {listing(specs)}.")
+        raise ContractError(f"{where}: a vector without components; its components are {list_names(specs)}.")
     for name in names:
         _check_movable(where, name, specs)
     if direction not in get_args(Direction):
@@ -208,8 +208,8 @@ def _group(where: str, names: tuple[str, ...], direction: Direction, specs: Mapp
 def _check_movable(where: str, name: str, specs: Mapping[str, ComponentSpec]) -> None:
     if name not in specs:
         raise ContractError(
-            f"{where}: amplification names the component '{name}'{suggestion(name, specs)}; "
-            f"its components are {listing(specs)}."
+            f"{where}: amplification names the component '{name}'{suggest(name, specs)}; "
+            f"its components are {list_names(specs)}."
         )
     spec = specs[name]
     if not math.isfinite(spec.scale) or spec.scale <= 0:

@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 
 from pydantic import ValidationError, create_model
 
-from tutorstudent.core.words.actions import Action, component, vocabulary_of
-from tutorstudent.core.words.errors import ContractError, shown
+from tutorstudent.core.words.actions import Action, component, read_vocabulary
+from tutorstudent.core.words.errors import ContractError, quote
 from tutorstudent.core.words.forms import Form, OwnForm, PlainForm
 from tutorstudent.core.words.named_form import NamedForm
 
@@ -43,7 +43,7 @@ class Command(Action):
             problem = error.errors(include_url=False)[0]
             where = f"'{problem['loc'][-1]}': " if len(names) > 1 else ""
             raise ContractError(
-                f"the controller's command is {shown(command)}: {where}{problem['msg'][0].lower()}{problem['msg'][1:]}."
+                f"the controller's command is {quote(command)}: {where}{problem['msg'][0].lower()}{problem['msg'][1:]}."
                 " State the bounds that it keeps, as in action=ts.scalar(-1, 1), or let the controller keep them."
             ) from None
 
@@ -80,8 +80,10 @@ def scalar(
     Scalar(kind='command', value=0.25)
     """
     names = None if name is None else [name]
-    form = _form("scalar()", 1, names, read, write)
-    return _command("Scalar", {name or "value": component(low, high, neutral=neutral, scale=scale, unit=unit)}, form)
+    form = _make_form("scalar()", 1, names, read, write)
+    return _make_command(
+        "Scalar", {name or "value": component(low, high, neutral=neutral, scale=scale, unit=unit)}, form
+    )
 
 
 def vector(
@@ -112,17 +114,17 @@ def vector(
     Vector(kind='command', x0=0.3, x1=-0.4)
     """
     size = len(names or ()) if size is None else size
-    form = _form("vector()", size, names, read, write)
+    form = _make_form("vector()", size, names, read, write)
     lows, highs = ([bound] * size if isinstance(bound, int | float) else list(bound) for bound in (low, high))
     if len(lows) != size or len(highs) != size:
         raise ContractError(f"vector(): found {len(lows)} low and {len(highs)} high bounds; expected {size} of each.")
     called = names or [f"x{i}" for i in range(size)]
     bounds = zip(lows, highs, strict=True)
     fields = [component(least, most, neutral=neutral, unit=unit) for least, most in bounds]
-    return _command("Vector", dict(zip(called, fields, strict=True)), form)
+    return _make_command("Vector", dict(zip(called, fields, strict=True)), form)
 
 
-def _form(what: str, size: int, names: Sequence[str] | None, read: Read | None, write: Write | None) -> Form:
+def _make_form(what: str, size: int, names: Sequence[str] | None, read: Read | None, write: Write | None) -> Form:
     if size < 1:
         raise ContractError(f"{what}: found the size {size}; say how many numbers there are, 1 or more, or names=.")
     if names is not None:
@@ -152,10 +154,10 @@ def _check_names(what: str, size: int, names: Sequence[str]) -> None:
             )
 
 
-def _command(title: str, fields: dict[str, Any], form: Form) -> type[Command]:
+def _make_command(title: str, fields: dict[str, Any], form: Form) -> type[Command]:
     typed: dict[str, Any] = {name: (float, field) for name, field in fields.items()}
     made: type[Command] = create_model(title, __base__=Command, __module__=__name__, **typed)
     made.form = form
     made.amplification = {"command": {tuple(fields): "outward"}}
-    made.vocabulary = vocabulary_of(made)
+    made.vocabulary = read_vocabulary(made)
     return made

@@ -57,31 +57,31 @@ class ContractError(TutorStudentError):
     """A part does not keep the contract of its role."""
 
 
-def suggestion(word: str, known: Iterable[str]) -> str:
+def suggest(word: str, known: Iterable[str]) -> str:
     """Return `` (did you mean 'x'?)``, or nothing when no known word is near.
 
-    >>> suggestion("hiden", ["hidden", "momentum"])
+    >>> suggest("hiden", ["hidden", "momentum"])
     " (did you mean 'hidden'?)"
-    >>> suggestion("qqq", ["hidden"])
+    >>> suggest("qqq", ["hidden"])
     ''
     """
     near = difflib.get_close_matches(word, list(known), n=1)
     return f" (did you mean '{near[0]}'?)" if near else ""
 
 
-def listing(words: Iterable[str]) -> str:
+def list_names(words: Iterable[str]) -> str:
     """Return the words sorted and joined by commas, or ``none``.
 
-    >>> listing(["b", "a"]), listing([])
+    >>> list_names(["b", "a"]), list_names([])
     ('a, b', 'none')
     """
     return ", ".join(sorted(words)) or "none"
 
 
-def shown(value: object) -> str:
+def quote(value: object) -> str:
     """Return a value that was found, as YAML has it and no longer than a line.
 
-    >>> shown(None), shown(True), shown("x"), shown([1, [2, 3]])
+    >>> quote(None), quote(True), quote("x"), quote([1, [2, 3]])
     ('nothing', 'true', "'x'", '[1, [2, 3]]')
     """
     if value is None:
@@ -94,10 +94,10 @@ def shown(value: object) -> str:
     return text if len(text) <= 100 else f"{text[:97]}..."
 
 
-def an(word: str) -> str:
+def with_article(word: str) -> str:
     """Return a word with its article.
 
-    >>> an("tutor"), an("encoder")
+    >>> with_article("tutor"), with_article("encoder")
     ('a tutor', 'an encoder')
     """
     return f"{'an' if word[:1] in tuple('aeiou') else 'a'} {word}"

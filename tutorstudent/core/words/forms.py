@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from tutorstudent.core.words.errors import ContractError, shown
+from tutorstudent.core.words.errors import ContractError, quote
 
 Numbers = list[float]
 
@@ -40,15 +40,15 @@ class PlainForm(Form):
     def read(self, command: Any) -> Numbers:
         if type(command) is float and self._size == 1:
             return [command]
-        items = _items(command)
+        items = _list_items(command)
         if len(items) != self._size or not all(map(is_number, items)):
             several = f"a list, tuple or numpy array of {self._size} numbers"
             raise ContractError(
-                f"the controller's command is {shown(command)}; expected {'a number' if self._size == 1 else several}. "
+                f"the controller's command is {quote(command)}; expected {'a number' if self._size == 1 else several}. "
                 "Other commands are read by their names, as in ts.vector(-1, 1, names=['speed', 'turn']), "
                 "or by functions of yours: ts.scalar(-1, 1, read=..., write=...)."
             )
-        return [plain_float(item, "it", command) for item in items]
+        return [read_float(item, "it", command) for item in items]
 
     def write(self, numbers: Numbers, like: Any) -> Any:
         if like is None:
@@ -56,8 +56,8 @@ class PlainForm(Form):
         if isinstance(like, np.ndarray):
             return np.array(numbers, dtype=like.dtype if like.dtype.kind == "f" else np.float64).reshape(like.shape)
         if not isinstance(like, list | tuple):
-            return in_type_of(like, numbers[0])
-        items = [in_type_of(item, number) for item, number in zip(like, numbers, strict=True)]
+            return match_type(like, numbers[0])
+        items = [match_type(item, number) for item, number in zip(like, numbers, strict=True)]
         if isinstance(like, tuple):
             return like._make(items) if hasattr(like, "_make") else tuple(items)
         return items
@@ -75,14 +75,14 @@ class OwnForm(Form):
             found = self._read(command)
         except Exception as error:
             raise ContractError(
-                f"the controller's command is {shown(command)}: read= raised {type(error).__name__}: {error}."
+                f"the controller's command is {quote(command)}: read= raised {type(error).__name__}: {error}."
             ) from error
         try:
             return self._plain.read(found)
         except ContractError:
             wanted = "a number" if self._size == 1 else f"a list, tuple or numpy array of {self._size} numbers"
             raise ContractError(
-                f"the controller's command is {shown(command)}: read= returned {shown(found)}; expected {wanted}."
+                f"the controller's command is {quote(command)}: read= returned {quote(found)}; expected {wanted}."
             ) from None
 
     def write(self, numbers: Numbers, like: Any) -> Any:
@@ -92,12 +92,12 @@ class OwnForm(Form):
         return written
 
 
-def in_type_of(like: Any, number: float) -> Any:
+def match_type(like: Any, number: float) -> Any:
     """Return a number in the type of one of the owner's; the owner's own where it is the same.
 
     A whole number that was amplified is a float: rounding it could go beyond what was allowed.
 
-    >>> in_type_of(Decimal("0.5"), 0.55), in_type_of(3, 3.9), in_type_of(3, 3.0)
+    >>> match_type(Decimal("0.5"), 0.55), match_type(3, 3.9), match_type(3, 3.0)
     (Decimal('0.55'), 3.9, 3)
     """
     if type(like) is float or float(like) == number:
@@ -107,7 +107,7 @@ def in_type_of(like: Any, number: float) -> Any:
     return type(like)(number) if isinstance(like, float | np.floating) else number
 
 
-def _items(command: Any) -> list[Any]:
+def _list_items(command: Any) -> list[Any]:
     if isinstance(command, np.ndarray) and command.dtype.kind in "fiu":
         values: list[Any] = command.ravel().tolist()
         return values
@@ -119,9 +119,9 @@ def is_number(item: Any) -> bool:
     return isinstance(item, float | int | np.floating | np.integer | Decimal | Fraction) and not isinstance(item, bool)
 
 
-def plain_float(item: Any, name: str, command: Any) -> float:
+def read_float(item: Any, name: str, command: Any) -> float:
     """Return a number that was found in a command as a float; `name` says where, for the message."""
     try:
         return float(item)
     except (OverflowError, ValueError):
-        raise ContractError(f"the controller's command is {shown(command)}: {name} is no finite float.") from None
+        raise ContractError(f"the controller's command is {quote(command)}: {name} is no finite float.") from None

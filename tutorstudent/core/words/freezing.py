@@ -10,10 +10,10 @@ import numpy as np
 _SAFE = (str, bytes, bool, int, float, complex, np.generic, type(None))
 
 
-def read_only(state: Any) -> Any:
+def freeze(state: Any) -> Any:
     """Return a copy of a state that its owner's buffers cannot change any more; its arrays are read-only.
 
-    >>> frozen = read_only({"scan": np.zeros(2)})
+    >>> frozen = freeze({"scan": np.zeros(2)})
     >>> frozen["scan"].flags.writeable
     False
     """
@@ -24,10 +24,10 @@ def read_only(state: Any) -> Any:
         copied.setflags(write=False)
         return copied
     if isinstance(state, dict):
-        return {key: read_only(value) for key, value in state.items()}
+        return {key: freeze(value) for key, value in state.items()}
     if isinstance(state, list):
-        return [read_only(item) for item in state]
+        return [freeze(item) for item in state]
     if isinstance(state, tuple):
-        items = [read_only(item) for item in state]
+        items = [freeze(item) for item in state]
         return state._make(items) if hasattr(state, "_make") else tuple(items)
     return copy.deepcopy(state)

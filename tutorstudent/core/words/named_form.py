@@ -9,8 +9,8 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from tutorstudent.core.words.errors import ContractError, listing, shown, suggestion
-from tutorstudent.core.words.forms import Form, Numbers, in_type_of, is_number, plain_float
+from tutorstudent.core.words.errors import ContractError, list_names, quote, suggest
+from tutorstudent.core.words.forms import Form, Numbers, is_number, match_type, read_float
 
 Path = tuple[str, ...]
 
@@ -22,7 +22,7 @@ class NamedForm(Form):
         self._paths: list[Path] = [tuple(name.split(".")) for name in names]
 
     def read(self, command: Any) -> Numbers:
-        return [self._number(command, path) for path in self._paths]
+        return [self._read_number(command, path) for path in self._paths]
 
     def write(self, numbers: Numbers, like: Any) -> Any:
         if like is None:
@@ -30,33 +30,33 @@ class NamedForm(Form):
                 f"the controller has returned no command yet in which '{'.'.join(self._paths[0])}' could be written; "
                 "give write=, which is then asked to write in None."
             )
-        return _with(like, dict(zip(self._paths, numbers, strict=True)))
+        return _replace_numbers(like, dict(zip(self._paths, numbers, strict=True)))
 
-    def _number(self, command: Any, path: Path) -> float:
+    def _read_number(self, command: Any, path: Path) -> float:
         found = command
         for step in path:
-            found = _member(found, step, command)
+            found = _get_member(found, step, command)
         name = f"'{'.'.join(path)}'"
         if not is_number(found):
             raise ContractError(
-                f"the controller's command is {shown(command)}: {name} is {shown(found)}, not a number."
+                f"the controller's command is {quote(command)}: {name} is {quote(found)}, not a number."
             )
-        return plain_float(found, name, command)
+        return read_float(found, name, command)
 
 
-def _member(owner: Any, step: str, command: Any) -> Any:
+def _get_member(owner: Any, step: str, command: Any) -> Any:
     try:
         return _get(owner, step)
     except (AttributeError, KeyError):
         keys = owner if isinstance(owner, Mapping) else [name for name in dir(owner) if not name.startswith("_")]
         known = [str(key) for key in keys]
         raise ContractError(
-            f"the controller's command is {shown(command)}: {type(owner).__name__} has no '{step}'"
-            f"{suggestion(step, known)}; it has {listing(known)}."
+            f"the controller's command is {quote(command)}: {type(owner).__name__} has no '{step}'"
+            f"{suggest(step, known)}; it has {list_names(known)}."
         ) from None
     except Exception as error:
         raise ContractError(
-            f"the controller's command is {shown(command)}: reading '{step}' raised {type(error).__name__}: {error}."
+            f"the controller's command is {quote(command)}: reading '{step}' raised {type(error).__name__}: {error}."
         ) from error
 
 
@@ -68,7 +68,7 @@ def _get(owner: Any, step: str) -> Any:
     return owner[step]
 
 
-def _with(owner: Any, numbers: Mapping[Path, float]) -> Any:
+def _replace_numbers(owner: Any, numbers: Mapping[Path, float]) -> Any:
     """Return a copy of an owner's object with other numbers; what lies on the way to them is copied too."""
     inside: dict[str, dict[Path, float]] = {}
     for (step, *rest), number in numbers.items():
@@ -76,11 +76,11 @@ def _with(owner: Any, numbers: Mapping[Path, float]) -> Any:
     changes = {}
     for step, below in inside.items():
         own = _get(owner, step)
-        changes[step] = in_type_of(own, below[()]) if () in below else _with(own, below)
-    return _replaced(owner, changes)
+        changes[step] = match_type(own, below[()]) if () in below else _replace_numbers(own, below)
+    return _replace_members(owner, changes)
 
 
-def _replaced(owner: Any, changes: dict[str, Any]) -> Any:
+def _replace_members(owner: Any, changes: dict[str, Any]) -> Any:
     """Return a copy with other members, made the way that the owner's type makes copies; it may refuse."""
     if isinstance(owner, BaseModel):
         return owner.model_copy(update=changes)

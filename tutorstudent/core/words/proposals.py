@@ -14,54 +14,54 @@ import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 
-def exact_level(value: Any) -> int:
+def require_level(value: Any) -> int:
     """Return `value` as a plain int; anything that is not an integer raises TypeError.
 
-    >>> exact_level(3), exact_level(True)
+    >>> require_level(3), require_level(True)
     (3, 1)
     """
     return value if type(value) is int else int.__add__(operator.index(value), 0)
 
 
-def exact_number(value: Any) -> float:
+def require_number(value: Any) -> float:
     """Return `value` as a plain float; what is no number (a string, say) raises TypeError.
 
-    >>> exact_number(np.float32(0.5)), exact_number(1)
+    >>> require_number(np.float32(0.5)), require_number(1)
     (0.5, 1.0)
     """
     return math.ldexp(value, 0)  # unlike float(), it reads no strings
 
 
-def exact_bit(value: Any) -> bool:
+def require_bit(value: Any) -> bool:
     """Return a bit as a plain bool; only 0 and 1 (of any integer or boolean type) are bits.
 
-    >>> exact_bit(1), exact_bit(False)
+    >>> require_bit(1), require_bit(False)
     (True, False)
     """
     if value is True or value is False:
         return value
-    number = int(value) if isinstance(value, np.bool_) else exact_level(value)
+    number = int(value) if isinstance(value, np.bool_) else require_level(value)
     if number not in (0, 1):
         raise ValueError(f"a bit is 0 or 1, not {number}")
     return number == 1
 
 
-def _level_for_pydantic(value: Any) -> Any:
+def _validate_level(value: Any) -> Any:
     try:
-        return exact_level(value)
+        return require_level(value)
     except TypeError:
         return value
 
 
-def _bit_for_pydantic(value: Any) -> Any:
+def _validate_bit(value: Any) -> Any:
     try:
-        return exact_bit(value)
+        return require_bit(value)
     except TypeError:
         return value
 
 
-Level = Annotated[int, BeforeValidator(_level_for_pydantic), Field(ge=0)]
-Bit = Annotated[bool, BeforeValidator(_bit_for_pydantic)]
+Level = Annotated[int, BeforeValidator(_validate_level), Field(ge=0)]
+Bit = Annotated[bool, BeforeValidator(_validate_bit)]
 
 
 class LevelProposal(BaseModel):

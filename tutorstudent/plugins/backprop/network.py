@@ -93,9 +93,9 @@ class Network:
         inputs, hidden, outputs = self.sizes
         split, size = hidden * (inputs + 1), hidden * (inputs + 1) + outputs * (hidden + 1)
         self._weights, self._changes, self._gradient = np.zeros(size), np.zeros(size), np.empty(size)
-        self.hidden_weights, self.output_weights = _matrices(self._weights, split, hidden, outputs)
-        self.hidden_changes, self.output_changes = _matrices(self._changes, split, hidden, outputs)
-        self._hidden_gradient, self._output_gradient = _matrices(self._gradient, split, hidden, outputs)
+        self.hidden_weights, self.output_weights = _split_matrices(self._weights, split, hidden, outputs)
+        self.hidden_changes, self.output_changes = _split_matrices(self._changes, split, hidden, outputs)
+        self._hidden_gradient, self._output_gradient = _split_matrices(self._gradient, split, hidden, outputs)
         self._biased_inputs, self._biased_hidden = np.ones(inputs + 1), np.ones(hidden + 1)
         self._inputs, self._hidden = self._biased_inputs[:-1], self._biased_hidden[:-1]
         self._outputs, self._output_errors, self._output_slopes = (
@@ -112,9 +112,9 @@ class Network:
 
     def _propagate(self) -> None:
         self.hidden_weights.dot(self._biased_inputs, self._hidden)
-        _logistic(self._hidden)
+        _apply_logistic(self._hidden)
         self.output_weights.dot(self._biased_hidden, self._outputs)
-        _logistic(self._outputs)
+        _apply_logistic(self._outputs)
 
     def _find_errors(self, targets: Vector) -> None:
         """Find the errors delta times the learning rate, which the errors of both layers are proportional to."""
@@ -155,11 +155,11 @@ class Network:
         np.copyto(self._changes, state["changes"])
 
 
-def _matrices(flat: Vector, split: int, hidden: int, outputs: int) -> tuple[Matrix, Matrix]:
+def _split_matrices(flat: Vector, split: int, hidden: int, outputs: int) -> tuple[Matrix, Matrix]:
     return flat[:split].reshape(hidden, -1), flat[split:].reshape(outputs, -1)
 
 
-def _logistic(net: Vector) -> None:
+def _apply_logistic(net: Vector) -> None:
     """Turn net inputs into outputs in place. 1 / (1 + exp(-x)) = (1 + tanh(x / 2)) / 2, and tanh cannot overflow."""
     np.multiply(net, _HALF, net)
     np.tanh(net, net)

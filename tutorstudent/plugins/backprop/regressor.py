@@ -62,7 +62,7 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             X: Inputs, shape (examples, inputs).
             y: Targets, shape (examples,) or (examples, outputs).
         """
-        rng = self._generator()
+        rng = self._make_generator()
         inputs, targets = self._begin(X, y, rng)
         for _ in range(self.epochs):
             self._teach(inputs, targets, rng.permutation(len(inputs)))
@@ -76,7 +76,7 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             y: Targets, shape (examples,) or (examples, outputs).
         """
         goes_on = hasattr(self, "network_")
-        inputs, targets = self._go_on(X, y) if goes_on else self._begin(X, y, self._generator())
+        inputs, targets = self._go_on(X, y) if goes_on else self._begin(X, y, self._make_generator())
         self._teach(inputs, targets, np.arange(len(inputs)))
         return self
 
@@ -87,9 +87,9 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
             X: Inputs, shape (examples, inputs).
         """
         check_is_fitted(self)
-        inputs = self._scaled_inputs(validate_data(self, X, reset=False, dtype=np.float64))
+        inputs = self._scale_inputs(validate_data(self, X, reset=False, dtype=np.float64))
         scaled = np.array([self.network_.forward(row).copy() for row in inputs])
-        low, span = self.target_range_[0], _span(self.target_range_)
+        low, span = self.target_range_[0], _find_span(self.target_range_)
         answers: Matrix = low + (scaled - _LOWEST) / (_HIGHEST - _LOWEST) * span
         return answers[:, 0] if self._flat else answers
 
@@ -103,15 +103,15 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
         if not 0.0 <= self.momentum < 1.0:
             raise ValueError(f"momentum is {self.momentum}; it must be at least 0 and below 1.")
 
-    def _generator(self) -> np.random.Generator:
+    def _make_generator(self) -> np.random.Generator:
         return np.random.default_rng(check_random_state(self.random_state).randint(2**31 - 1))
 
     def _begin(self, X: ArrayLike, y: ArrayLike, rng: np.random.Generator) -> tuple[Matrix, Matrix]:  # noqa: N803
         self._check_params()
         inputs, targets = validate_data(self, X, y, dtype=np.float64, multi_output=True, y_numeric=True)
         self._flat = targets.ndim == 1
-        targets = _columns(targets)
-        self.input_range_, self.target_range_ = _range(inputs), _range(targets)
+        targets = _make_columns(targets)
+        self.input_range_, self.target_range_ = _find_range(inputs), _find_range(targets)
         self.network_ = Network(
             inputs.shape[1],
             self.hidden,
@@ -124,22 +124,22 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
 
     def _go_on(self, X: ArrayLike, y: ArrayLike) -> tuple[Matrix, Matrix]:  # noqa: N803
         inputs, targets = validate_data(self, X, y, reset=False, dtype=np.float64, multi_output=True, y_numeric=True)
-        targets = _columns(targets)
+        targets = _make_columns(targets)
         if targets.shape[1] != self.target_range_.shape[1]:
             raise ValueError(f"y has {targets.shape[1]} outputs; it had {self.target_range_.shape[1]} before.")
-        self.input_range_ = _range(np.vstack([self.input_range_, inputs]))
-        self.target_range_ = _range(np.vstack([self.target_range_, targets]))
+        self.input_range_ = _find_range(np.vstack([self.input_range_, inputs]))
+        self.target_range_ = _find_range(np.vstack([self.target_range_, targets]))
         return inputs, targets
 
     def _teach(self, inputs: Matrix, targets: Matrix, order: NDArray[np.int64]) -> None:
-        scaled = self._scaled_inputs(inputs)
-        fractions = (targets - self.target_range_[0]) / _span(self.target_range_)
+        scaled = self._scale_inputs(inputs)
+        fractions = (targets - self.target_range_[0]) / _find_span(self.target_range_)
         wanted = _LOWEST + (_HIGHEST - _LOWEST) * fractions
         for index in order:
             self.network_.teach(scaled[index], wanted[index])
 
-    def _scaled_inputs(self, inputs: Matrix) -> Matrix:
-        scaled: Matrix = 2.0 * (inputs - self.input_range_[0]) / _span(self.input_range_) - 1.0
+    def _scale_inputs(self, inputs: Matrix) -> Matrix:
+        scaled: Matrix = 2.0 * (inputs - self.input_range_[0]) / _find_span(self.input_range_) - 1.0
         return scaled
 
     def __sklearn_tags__(self) -> Any:
@@ -148,15 +148,15 @@ class BackpropRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]  #
         return tags
 
 
-def _columns(targets: Matrix) -> Matrix:
+def _make_columns(targets: Matrix) -> Matrix:
     columns: Matrix = np.asarray(targets, dtype=np.float64)
     return columns[:, None] if columns.ndim == 1 else columns
 
 
-def _range(values: Matrix) -> Matrix:
+def _find_range(values: Matrix) -> Matrix:
     return np.array([values.min(axis=0), values.max(axis=0)])
 
 
-def _span(limits: Matrix) -> Matrix:
+def _find_span(limits: Matrix) -> Matrix:
     span: Matrix = limits[1] - limits[0]
     return np.where(span > 0, span, 1.0)

@@ -52,7 +52,7 @@ class BackpropStudent(CodedStudent[StateT, ActionT, ProposalT], Generic[StateT, 
     def learn(self, inputs: Vector, targets: Vector) -> None:
         self._network.teach(inputs, targets, self._teaching_rate)
 
-    def learned(self) -> Learned:
+    def export(self) -> Learned:
         return {name: array.copy() for name, array in self._network.arrays().items()}
 
     def restore(self, learned: Learned) -> None:

@@ -38,12 +38,12 @@ class Keeper:
         """
         try:
             program = self._begin()
-            while not self._greeted(program, program.started_s + self._options.start_timeout_s):
+            while not self._await_greeting(program, program.started_s + self._options.start_timeout_s):
                 pass
         except Trouble as trouble:
             remedy = _NOT_STARTED if self._program is None else _NOT_GREETED
             self._lose(trouble)
-            raise PipelineError(f"{self._name()}: {self._reason} {remedy}") from None
+            raise PipelineError(f"{self._format_name()}: {self._reason} {remedy}") from None
 
     def ask(self, number: int, message: bytes, until_s: float) -> Answer:
         """Return the answer to decision `number`.
@@ -56,13 +56,13 @@ class Keeper:
         """
         while True:
             try:
-                program = self._running(until_s)
-                if not self._greeted(program, until_s):
-                    raise ContractError(f"{self._name()}: {self._reason} It is being started again.")
-                if answer := self._answer(program, number, message, until_s):
+                program = self._require_running(until_s)
+                if not self._await_greeting(program, until_s):
+                    raise ContractError(f"{self._format_name()}: {self._reason} It is being started again.")
+                if answer := self._await_answer(program, number, message, until_s):
                     self._late = 0
                     return answer
-                raise self._too_late(program)
+                raise self._count_late(program)
             except Trouble as trouble:
                 self._lose(trouble)
 
@@ -77,20 +77,20 @@ class Keeper:
     def close(self) -> None:
         """End the program; it is not started again."""
         if self._program is not None:
-            self._program.close(protocol.line("close"))
+            self._program.close(protocol.make_line("close"))
             self._program = None
         self._closed = True
 
-    def _running(self, until_s: float) -> Program:
+    def _require_running(self, until_s: float) -> Program:
         if self._program is not None:
             return self._program
         if self._closed:
-            raise ContractError(f"{self._name()}: it was closed, and a closed tutor is not asked again.")
+            raise ContractError(f"{self._format_name()}: it was closed, and a closed tutor is not asked again.")
         if self._restarts >= self._options.restarts:
             used = f"all {self._restarts} restarts are used up" if self._restarts else "restarts: 0"
-            raise ContractError(f"{self._name()}: {self._reason} It is not started again ({used}).")
+            raise ContractError(f"{self._format_name()}: {self._reason} It is not started again ({used}).")
         if self._not_before_s >= until_s:
-            raise ContractError(f"{self._name()}: {self._reason} It is started again later (backoff_s).")
+            raise ContractError(f"{self._format_name()}: {self._reason} It is started again later (backoff_s).")
         time.sleep(max(0.0, self._not_before_s - time.monotonic()))
         self._restarts += 1
         return self._begin()
@@ -100,7 +100,7 @@ class Keeper:
         self._program.send(self._hello)
         return self._program
 
-    def _greeted(self, program: Program, until_s: float) -> bool:
+    def _await_greeting(self, program: Program, until_s: float) -> bool:
         if program.greeted:
             return True
         ready_s = program.started_s + self._options.start_timeout_s
@@ -116,7 +116,7 @@ class Keeper:
         program.greeted = True
         return True
 
-    def _answer(self, program: Program, number: int, message: bytes, until_s: float) -> Answer | None:
+    def _await_answer(self, program: Program, number: int, message: bytes, until_s: float) -> Answer | None:
         while (said := program.receive(0.0)) is not None:
             _read(said, number - 1)  # said before it was asked: old answers only, nobody can know what comes
             if time.monotonic() >= until_s:
@@ -130,10 +130,10 @@ class Keeper:
                 return None
         return None
 
-    def _too_late(self, program: Program) -> ContractError:
+    def _count_late(self, program: Program) -> ContractError:
         self._late += 1
         waited = f"no answer within {self._options.deadline_s:g} s (deadline_s)"
-        error = ContractError(f"{self._name()}: {waited}.{program.said()}")
+        error = ContractError(f"{self._format_name()}: {waited}.{program.quote_errors()}")
         if self._late >= self._options.patience:
             self._lose(Trouble(f"{waited}, {self._late} times in a row (patience)"))
         return error
@@ -141,14 +141,14 @@ class Keeper:
     def _lose(self, trouble: Trouble) -> None:
         self._reason = f"{trouble}."
         if self._program is not None:
-            self._reason += self._program.said()
+            self._reason += self._program.quote_errors()
             self._program.kill()
             self._program = None
         self._late = 0
         wait_s = min(self._options.backoff_s * 2.0 ** min(self._restarts, 16), LONGEST_BACKOFF_S)
         self._not_before_s = time.monotonic() + wait_s
 
-    def _name(self) -> str:
+    def _format_name(self) -> str:
         return f"tutor 'process' ({self._options.program[0]})"
 
 

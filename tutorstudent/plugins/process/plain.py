@@ -17,13 +17,13 @@ NAN, INFINITY = "NaN", "Infinity"
 """JSON has no word for them; these strings are read by most languages' own number parsers."""
 
 
-def plain(value: Any, at: str = "state") -> Any:
+def make_plain(value: Any, at: str = "state") -> Any:
     """Return a value as what JSON can say.
 
     Numbers, strings, booleans and None stay; what is not finite becomes a string; arrays, lists and tuples become
     lists; named tuples, dataclasses, pydantic models and mappings become objects; enums become their value.
 
-    >>> plain({"scan": np.array([1.5, np.inf]), "n": np.int64(3)})
+    >>> make_plain({"scan": np.array([1.5, np.inf]), "n": np.int64(3)})
     {'scan': [1.5, 'Infinity'], 'n': 3}
 
     Args:
@@ -36,34 +36,34 @@ def plain(value: Any, at: str = "state") -> Any:
     if value is None or isinstance(value, bool | str):
         return value.value if isinstance(value, Enum) else value
     if isinstance(value, Enum):
-        return plain(value.value, at)
+        return make_plain(value.value, at)
     if isinstance(value, int):
         return int(value)
     if isinstance(value, float):
-        return float(value) if math.isfinite(value) else _spelled(value)
+        return float(value) if math.isfinite(value) else _spell(value)
     if isinstance(value, np.generic):
-        return plain(value.item(), at)
+        return make_plain(value.item(), at)
     if isinstance(value, np.ndarray):
-        return _array(value, at)
+        return _list_array(value, at)
     if isinstance(value, list | tuple) and not hasattr(value, "_fields"):
-        return [plain(item, f"{at}[{i}]") for i, item in enumerate(value)]
-    return {name: plain(item, f"{at}.{name}") for name, item in _items(value, at)}
+        return [make_plain(item, f"{at}[{i}]") for i, item in enumerate(value)]
+    return {name: make_plain(item, f"{at}.{name}") for name, item in _list_items(value, at)}
 
 
-def _spelled(value: float) -> str:
+def _spell(value: float) -> str:
     if math.isnan(value):
         return NAN
     return INFINITY if value > 0 else f"-{INFINITY}"
 
 
-def _array(array: np.ndarray[Any, Any], at: str) -> Any:
+def _list_array(array: np.ndarray[Any, Any], at: str) -> Any:
     numbers = array.tolist()
     if array.dtype.kind in "iub" or (array.dtype.kind == "f" and np.isfinite(array).all()):
         return numbers
-    return plain(numbers, at)
+    return make_plain(numbers, at)
 
 
-def _items(value: Any, at: str) -> Iterator[tuple[str, Any]]:
+def _list_items(value: Any, at: str) -> Iterator[tuple[str, Any]]:
     if isinstance(value, Mapping):
         for key, item in value.items():
             if not isinstance(key, str):

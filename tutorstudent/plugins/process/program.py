@@ -61,16 +61,16 @@ class Program:
         Raises:
             Trouble: The program ended, closed its output, or says too long a line.
         """
-        while (line := self._line()) is None:
+        while (line := self._take_line()) is None:
             left_s = until_s - time.monotonic()
             moved = self._exchange(min(max(left_s, 0.0), TICK_S))
             if self._mute or not (moved or self._started.process.poll() is None):
-                raise Trouble(self._ending())
+                raise Trouble(self._describe_ending())
             if left_s <= 0:
-                return self._line()
+                return self._take_line()
         return line
 
-    def said(self) -> str:
+    def quote_errors(self) -> str:
         """Return the end of what it wrote to standard error, as a sentence to append; empty if that is nothing."""
         text = self._tail.decode("utf-8", "backslashreplace")
         lines = [line.strip() for line in text.splitlines()[-5:] if line.strip()]
@@ -101,7 +101,7 @@ class Program:
             self._heard.clear()
         self._stop_writing()
 
-    def _line(self) -> bytes | None:
+    def _take_line(self) -> bytes | None:
         end, limit = self._heard.find(b"\n"), self._options.max_line_bytes
         if (len(self._heard) if end < 0 else end) > limit:
             raise Trouble(f"it said a line of more than {limit} bytes (max_line_bytes)")
@@ -160,7 +160,7 @@ class Program:
             self._started.streams[0].close()
         self._outgoing.clear()
 
-    def _ending(self) -> str:
+    def _describe_ending(self) -> str:
         try:
             status = self._started.process.wait(timeout=5 * TICK_S)
         except TimeoutExpired:

@@ -10,15 +10,15 @@ from typing import Any, ClassVar
 from pydantic import ValidationError
 
 from tutorstudent.core.roles.interfaces import Tutor
-from tutorstudent.core.roles.option_problems import option_problems
+from tutorstudent.core.roles.option_problems import find_option_problems
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.plugins.process import protocol
 from tutorstudent.plugins.process.keeper import Keeper
-from tutorstudent.plugins.process.plain import plain
+from tutorstudent.plugins.process.plain import make_plain
 from tutorstudent.plugins.process.process_options import ProcessOptions
-from tutorstudent.plugins.process.vocabulary import action_class
+from tutorstudent.plugins.process.vocabulary import find_action_class
 
 
 class ProcessTutor(Tutor[Any, Any]):
@@ -36,7 +36,7 @@ class ProcessTutor(Tutor[Any, Any]):
 
     def __init__(self, **options: Any) -> None:
         super().__init__(**options)
-        self.action: type[Action] = action_class(self.options.action, self.options.action_of)
+        self.action: type[Action] = find_action_class(self.options.action, self.options.action_of)
         self._number = -1
         self._situation = ""
 
@@ -53,16 +53,16 @@ class ProcessTutor(Tutor[Any, Any]):
         if not hasattr(os, "killpg"):
             raise PipelineError("tutor 'process' needs a POSIX system: process groups and pipes with a deadline.")
         seed = int(self.rng.integers(2**31))
-        self._keeper = Keeper(self.options, protocol.hello(self.action, seed))
+        self._keeper = Keeper(self.options, protocol.make_hello(self.action, seed))
         self._keeper.start()
 
     def act(self, state: Any) -> Any:
         until_s = time.monotonic() + self.options.deadline_s
         self._number += 1
         self._situation = ""
-        message = protocol.line("decide", number=self._number, state=plain(state))
-        answer = self._running().ask(self._number, message, until_s)
-        action = self._action(answer.action)
+        message = protocol.make_line("decide", number=self._number, state=make_plain(state))
+        answer = self._require_keeper().ask(self._number, message, until_s)
+        action = self._make_action(answer.action)
         self._situation = answer.situation
         return action
 
@@ -72,12 +72,12 @@ class ProcessTutor(Tutor[Any, Any]):
 
     def executed(self, action: Any) -> None:
         if self._keeper is not None:
-            self._keeper.tell(protocol.line("executed", number=self._number, action=action.model_dump()))
+            self._keeper.tell(protocol.make_line("executed", number=self._number, action=action.model_dump()))
 
     def reset(self) -> None:
         super().reset()
         if self._keeper is not None:
-            self._keeper.tell(protocol.line("reset"))
+            self._keeper.tell(protocol.make_line("reset"))
 
     def close(self) -> None:
         """End the program, with all that it started."""
@@ -85,18 +85,18 @@ class ProcessTutor(Tutor[Any, Any]):
         if self._keeper is not None:
             self._keeper.close()
 
-    def _running(self) -> Keeper:
+    def _require_keeper(self) -> Keeper:
         if self._keeper is None:
             raise ContractError(
                 "tutor 'process': the program was not started; bind the tutor, or give it to an engine."
             )
         return self._keeper
 
-    def _action(self, values: dict[str, Any]) -> Action:
+    def _make_action(self, values: dict[str, Any]) -> Action:
         try:
             return self.action(**values)
         except ValidationError as error:
-            _, problem = option_problems(self.action, error)[0]
+            _, problem = find_option_problems(self.action, error)[0]
             raise ContractError(
                 f"tutor 'process' ({self.options.program[0]}): its answer to decision {self._number} is not a "
                 f"{self.action.__name__}: {problem}"

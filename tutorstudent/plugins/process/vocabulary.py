@@ -11,7 +11,7 @@ from pydantic import create_model
 
 from tutorstudent.core.roles.part import Field, Options
 from tutorstudent.core.roles.world import World
-from tutorstudent.core.words.actions import Action, AmplificationMap, Direction, component, vocabulary_of
+from tutorstudent.core.words.actions import Action, AmplificationMap, Direction, component, read_vocabulary
 from tutorstudent.core.words.errors import PipelineError
 
 
@@ -36,7 +36,7 @@ class ActionOptions(Options):
     )
 
 
-def action_class(action: ActionOptions | None, action_of: World[Any, Any] | None) -> type[Action]:
+def find_action_class(action: ActionOptions | None, action_of: World[Any, Any] | None) -> type[Action]:
     """Return the action class that the options state.
 
     Raises:
@@ -50,7 +50,7 @@ def action_class(action: ActionOptions | None, action_of: World[Any, Any] | None
             "'action: {components: {value: {low: -1, high: 1}}}'."
         )
     if action is not None:
-        return _written_out(action)
+        return _make_action_class(action)
     assert action_of is not None  # noqa: S101 - one of the two is there
     if not any(action_of.action.vocabulary.groups.values()):
         raise PipelineError(
@@ -60,8 +60,8 @@ def action_class(action: ActionOptions | None, action_of: World[Any, Any] | None
     return action_of.action
 
 
-def _written_out(options: ActionOptions) -> type[Action]:
-    fields: dict[str, Any] = {name: (float, _component(spec)) for name, spec in options.components.items()}
+def _make_action_class(options: ActionOptions) -> type[Action]:
+    fields: dict[str, Any] = {name: (float, _make_component(spec)) for name, spec in options.components.items()}
     for name in fields:
         if name == "kind" or name.startswith("_") or not name.isidentifier() or hasattr(Action, name):
             raise PipelineError(
@@ -70,16 +70,16 @@ def _written_out(options: ActionOptions) -> type[Action]:
     if options.kinds != ["command"]:
         fields["kind"] = (Literal[tuple(options.kinds)], ...)
     made: type[Action] = create_model("ProcessAction", __base__=Action, __module__=__name__, **fields)
-    made.amplification = _amplified(options)
-    made.vocabulary = vocabulary_of(made)
+    made.amplification = _make_amplification(options)
+    made.vocabulary = read_vocabulary(made)
     return made
 
 
-def _component(spec: ComponentOptions) -> Any:
+def _make_component(spec: ComponentOptions) -> Any:
     return component(spec.low, spec.high, default=spec.default, scale=spec.scale, neutral=spec.neutral, unit=spec.unit)
 
 
-def _amplified(options: ActionOptions) -> AmplificationMap:
+def _make_amplification(options: ActionOptions) -> AmplificationMap:
     if options.amplified is None:
         return {kind: {tuple(options.components): "outward"} for kind in options.kinds}
     return {kind: dict(directions.items()) for kind, directions in options.amplified.items()}

@@ -48,13 +48,13 @@ class BitEncoder(Encoder[PioneerState, DriveAction]):
     def code(self, moment: PioneerMoment, seen: Percept) -> Code:
         """Return the bits of a moment whose state looks like `seen`, in the order of `names`."""
 
-    def prey(self, seen: Percept) -> Code:
+    def code_prey(self, seen: Percept) -> Code:
         """Return the bits of `PREY_NAMES`: one of three directions where any is seen, and whether it is near."""
         limits = self.options
         left, right = seen.prey_rad > limits.centre_rad, seen.prey_rad < -limits.centre_rad
         return left, seen.prey_seen and not (left or right), right, seen.prey_m < limits.prey_m
 
-    def predator(self, seen: Percept) -> Code:
+    def code_predator(self, seen: Percept) -> Code:
         """Return the bits of `PREDATOR_NAMES`."""
         return seen.predator_seen, seen.predator_m < self.options.predator_m
 
@@ -87,8 +87,8 @@ class Bits(BitEncoder):
             seen.right_m < limits.side_m,
             seen.back_m < limits.back_m,
             seen.stalled,
-            *self.prey(seen),
-            *self.predator(seen),
+            *self.code_prey(seen),
+            *self.code_predator(seen),
         )
 
 
@@ -123,8 +123,8 @@ class Thermometer(BitEncoder):
             seen.right_m < limits.side_m,
             seen.back_m < limits.back_m,
             seen.stalled,
-            *self.prey(seen),
-            *self.predator(seen),
+            *self.code_prey(seen),
+            *self.code_predator(seen),
         )
 
 
@@ -163,6 +163,6 @@ class SituationBits(BitEncoder):
             seen.left_m < limits.side_m,
             seen.right_m < limits.side_m,
             seen.stalled,
-            *self.prey(seen),
+            *self.code_prey(seen),
             seen.predator_m < limits.predator_m,
         )

@@ -68,7 +68,7 @@ def perceive(state: PioneerState) -> Percept:
     Raises:
         ContractError: If there are not 16 sonar ranges.
     """
-    sonar = _ranges(state)
+    sonar = _read_ranges(state)
     a, b, c, d, e, f, g, h = sonar[:8]
     # By position, since this runs once per decision and once per encoding.
     return Percept(
@@ -79,29 +79,29 @@ def perceive(state: PioneerState) -> Percept:
         min(sonar[10:14]),
         a + b + c + d,
         e + f + g + h,
-        *_nearest(state.blobs, PREY),
-        *_nearest(state.blobs, PREDATOR),
+        *_find_nearest(state.blobs, PREY),
+        *_find_nearest(state.blobs, PREDATOR),
         bool(state.stalled),
     )
 
 
-def _ranges(state: PioneerState) -> list[float]:
+def _read_ranges(state: PioneerState) -> list[float]:
     ranges: list[float] = state.sonar_m.tolist()
     if len(ranges) != SONARS:
         raise ContractError(f"prototype 2 reads {SONARS} sonar ranges; the state has {len(ranges)}.")
     if math.isfinite(sum(ranges)):
         return ranges
-    return [min(_number(distance), SONAR_RANGE_M) for distance in ranges]
+    return [min(_read_number(distance), SONAR_RANGE_M) for distance in ranges]
 
 
-def _nearest(blobs: tuple[Blob, ...], colour: str) -> tuple[float, float]:
+def _find_nearest(blobs: tuple[Blob, ...], colour: str) -> tuple[float, float]:
     """Return distance and bearing of the nearest blob of a colour."""
     nearest = UNSEEN
     for blob in blobs:
         if blob.colour == colour:
-            nearest = min(nearest, (_number(blob.range_m), _number(blob.bearing_rad)))
+            nearest = min(nearest, (_read_number(blob.range_m), _read_number(blob.bearing_rad)))
     return nearest
 
 
-def _number(reading: float) -> float:
+def _read_number(reading: float) -> float:
     return 0.0 if math.isnan(reading) else reading

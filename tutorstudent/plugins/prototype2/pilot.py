@@ -49,19 +49,19 @@ class Pilot(View):
 
     # Conditions on the memory
 
-    def refused(self) -> bool:
+    def is_refused(self) -> bool:
         """The last action was refused. A report that is older than the present recovery is not believed."""
         too_early = self._recovery_left > 0 and self._recovered < self.tuning.stall_delay
         return self.seen.stalled and not too_early
 
-    def recovering(self) -> bool:
+    def is_recovering(self) -> bool:
         return self._recovery_left > 0
 
-    def arrived(self) -> bool:
+    def has_arrived(self) -> bool:
         """The way that the Forward state was to drive is driven."""
         return self._forward_left <= 0
 
-    def spun_enough(self) -> bool:
+    def has_spun_enough(self) -> bool:
         """The spin has gone all the way round, and the robot looks out about as far as it could anywhere.
 
         The longer it lasts the less will do, since others may have moved into the view.
@@ -71,19 +71,19 @@ class Pilot(View):
             return False
         return self.seen.view_m * self._spun >= self._best_view_m * limit
 
-    def driven_too_close(self) -> bool:
+    def is_too_close(self) -> bool:
         """An obstacle is closer than the Forward state drives to; it drives closer when it breaks out."""
         return self.closer_than(self.tuning.break_out_clearance if self._daring else 1.0)
 
-    def driven_to_predator(self) -> bool:
+    def is_at_predator(self) -> bool:
         """A predator is near. A robot that breaks out passes it."""
         return self.predator_near() and not self._daring
 
-    def turning(self) -> bool:
+    def is_turning(self) -> bool:
         """A turn to an open area is going on."""
         return self._turn_left > 0
 
-    def restless(self) -> bool:
+    def is_restless(self) -> bool:
         """There is an open area, and chance will have it."""
         return self.side_is_open() and self._rng.random() < self.tuning.wander_turn
 
@@ -92,46 +92,46 @@ class Pilot(View):
     def recover(self) -> DriveAction:
         """Begin to do something other than what was just refused, for a few decisions."""
         if self._side is None:
-            self._begin_spin(self._open_side())
+            self._begin_spin(self._choose_open_side())
         chance = self._recovery_left > 0 or self._rng.random() < self.tuning.recover_random
         self._recovery_left = self.tuning.recover_min - 1 + int(self._rng.integers(self.tuning.recover_more + 1))
         self._recovered = 1
-        return self._any_other() if chance else self._opposite()
+        return self._choose_any_other() if chance else self._choose_opposite()
 
     def keep_recovering(self) -> DriveAction:
         self._recovery_left -= 1
         self._recovered += 1
         return self._last
 
-    def _any_other(self) -> DriveAction:
+    def _choose_any_other(self) -> DriveAction:
         others = [a for a in (self._forward, self._backward, self._left, self._right) if a is not self._last]
         return others[int(self._rng.integers(len(others)))]
 
-    def _opposite(self) -> DriveAction:
+    def _choose_opposite(self) -> DriveAction:
         if self._last is self._forward:
             return self._backward
         if self._last is self._backward:
-            return self._open_side()
+            return self._choose_open_side()
         return self._backward if self.seen.back_m > self.seen.front_m else self._forward
 
     # Actions: spins
 
     def spin_to_open_side(self) -> DriveAction:
-        return self._begin_spin(self._open_side())
+        return self._begin_spin(self._choose_open_side())
 
     def spin_from_near_side(self) -> DriveAction:
         return self._begin_spin(self._right if self.seen.left_m < self.seen.right_m else self._left)
 
     def spin_from_predator(self) -> DriveAction:
-        return self._begin_spin(self._away(self.seen.predator_rad))
+        return self._begin_spin(self._choose_away(self.seen.predator_rad))
 
     def spin_from_prey(self) -> DriveAction:
-        return self._begin_spin(self._away(self.seen.prey_rad))
+        return self._begin_spin(self._choose_away(self.seen.prey_rad))
 
     def keep_spinning(self) -> DriveAction:
         self._spun += 1
         self._best_view_m = max(self._best_view_m, self.seen.view_m)
-        return self._side or self._begin_spin(self._open_side())
+        return self._side or self._begin_spin(self._choose_open_side())
 
     def _begin_spin(self, side: DriveAction) -> DriveAction:
         self._spun = 0
@@ -140,10 +140,10 @@ class Pilot(View):
         self._side = self._side or side
         return self._side
 
-    def _open_side(self) -> DriveAction:
+    def _choose_open_side(self) -> DriveAction:
         return self._left if self.seen.left_is_open else self._right
 
-    def _away(self, bearing_rad: float) -> DriveAction:
+    def _choose_away(self, bearing_rad: float) -> DriveAction:
         return self._right if bearing_rad > 0 else self._left
 
     # Actions: driving
@@ -173,18 +173,18 @@ class Pilot(View):
 
     # Actions: free movement, which ends what a spin remembers
 
-    def forward(self) -> DriveAction:
+    def drive_forward(self) -> DriveAction:
         return self._move_freely(self._forward)
 
-    def left(self) -> DriveAction:
+    def turn_left(self) -> DriveAction:
         return self._move_freely(self._left)
 
-    def right(self) -> DriveAction:
+    def turn_right(self) -> DriveAction:
         return self._move_freely(self._right)
 
     def turn_to_open_area(self) -> DriveAction:
         """Begin a turn of random length towards the more open side."""
-        turn = self._move_freely(self._open_side())
+        turn = self._move_freely(self._choose_open_side())
         self._turn_left = int(self._rng.integers(self.tuning.turn_max))
         return turn
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Generic, NamedTuple, TypeVar
 
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 ContextT = TypeVar("ContextT")
 CommandT = TypeVar("CommandT")
@@ -62,7 +62,7 @@ class StatePlanner(Generic[ContextT, CommandT]):
         visited = []
         while self.state not in visited:
             visited.append(self.state)
-            rule = self._applicable(context)
+            rule = self._find_rule(context)
             self.state = rule.transition
             self.rule = rule.name
             if rule.action is not None:
@@ -73,7 +73,7 @@ class StatePlanner(Generic[ContextT, CommandT]):
             "give one of these rules an action."
         )
 
-    def _applicable(self, context: ContextT) -> Rule[ContextT, CommandT]:
+    def _find_rule(self, context: ContextT) -> Rule[ContextT, CommandT]:
         for rule in self._table[self.state]:
             if rule.condition(context):
                 return rule
@@ -83,14 +83,14 @@ class StatePlanner(Generic[ContextT, CommandT]):
 
     def _check(self) -> None:
         if self._start not in self._table:
-            raise ContractError(f"state planner: it starts in {self._unknown(self._start)}.")
+            raise ContractError(f"state planner: it starts in {self._explain_unknown(self._start)}.")
         for state, rules in self._table.items():
             if not rules:
                 raise ContractError(f"state planner: state '{state}' has no rules; give it one that always applies.")
             for rule in rules:
                 if rule.transition not in self._table:
                     where = f"rule '{rule.name}' of state '{state}'"
-                    raise ContractError(f"state planner: {where} goes to {self._unknown(rule.transition)}.")
+                    raise ContractError(f"state planner: {where} goes to {self._explain_unknown(rule.transition)}.")
 
-    def _unknown(self, state: str) -> str:
-        return f"the unknown state '{state}'{suggestion(state, self._table)}; its states are {listing(self._table)}"
+    def _explain_unknown(self, state: str) -> str:
+        return f"the unknown state '{state}'{suggest(state, self._table)}; its states are {list_names(self._table)}"

@@ -9,7 +9,7 @@ import numpy as np
 from tutorstudent.core.roles.leaves import Codec, Vector
 from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.core.words.records import GradedAction
-from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, finite_values
+from tutorstudent.plugins.level_codes import GradeCode, GradeOptions, require_finite
 
 
 class LevelAmpbit(Codec[LevelProposal]):
@@ -31,7 +31,7 @@ class LevelAmpbit(Codec[LevelProposal]):
         return np.array(self._grade.encode(target))
 
     def decode(self, outputs: Vector) -> LevelProposal:
-        grade = self._grade.decode(finite_values(outputs, self.width))
+        grade = self._grade.decode(require_finite(outputs, self.width))
         if grade not in self._proposals:
             level, ampbit = grade
             self._proposals[grade] = LevelProposal(level=level, ampbit=ampbit)

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.roles.world import Step, World
-from tutorstudent.core.running.runner import check_world, trial_seed
+from tutorstudent.core.running.runner import check_world, make_trial_seed
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.core.words.records import Moment, Turn
-from tutorstudent.sims.gym.drawing import picture
+from tutorstudent.sims.gym.drawing import draw_picture
 from tutorstudent.sims.gym.driven import Driven, drive
 from tutorstudent.sims.gym.scoring import Weights, check_weights, score
 
@@ -81,7 +81,7 @@ class AmplificationEnv(gymnasium.Env[Observation, np.int64]):
             self._driven = drive(self._pipeline.replaced({"seed": seed}))
             self._seed, self._trial = seed, 0
         self._driven.engine.reset()
-        state = self.world.reset(trial_seed(self._seed, self._trial))
+        state = self.world.reset(make_trial_seed(self._seed, self._trial))
         self._trial += 1
         self._begun = True
         return self._observe(state, self._ask(state)), {}
@@ -107,11 +107,11 @@ class AmplificationEnv(gymnasium.Env[Observation, np.int64]):
         assert turn is not None  # noqa: S101 - the decision was just judged or dropped
         ended = step.done or step.truncated
         seen = self._observe(step.state, turn.decision.moment.tutor_action if ended else self._ask(step.state))
-        return seen, self._reward(turn, step), step.done, step.truncated and not step.done, _info(turn, step)
+        return seen, self._make_reward(turn, step), step.done, step.truncated and not step.done, _make_info(turn, step)
 
     def render(self) -> Any:
         """Return the world as it is now, from above; white where it does not draw itself."""
-        return picture(self.world.sketch()) if self.render_mode == "rgb_array" else None
+        return draw_picture(self.world.sketch()) if self.render_mode == "rgb_array" else None
 
     def close(self) -> None:
         """Let every part and the world go."""
@@ -136,13 +136,13 @@ class AmplificationEnv(gymnasium.Env[Observation, np.int64]):
             )
         return seen
 
-    def _reward(self, turn: Turn[Any, Any], step: Step[Any]) -> float:
-        return score(self._weights, {**step.events, VIOLATED: _violated(turn)})
+    def _make_reward(self, turn: Turn[Any, Any], step: Step[Any]) -> float:
+        return score(self._weights, {**step.events, VIOLATED: _read_violated(turn)})
 
 
-def _violated(turn: Turn[Any, Any]) -> float:
+def _read_violated(turn: Turn[Any, Any]) -> float:
     return float(turn.outcome is not None and bool(turn.outcome.violated))
 
 
-def _info(turn: Turn[Any, Any], step: Step[Any]) -> dict[str, Any]:
-    return {**step.events, "level": turn.decision.resulting.level, VIOLATED: _violated(turn)}
+def _make_info(turn: Turn[Any, Any], step: Step[Any]) -> dict[str, Any]:
+    return {**step.events, "level": turn.decision.resulting.level, VIOLATED: _read_violated(turn)}

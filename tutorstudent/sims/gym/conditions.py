@@ -10,7 +10,7 @@ from pydantic import model_validator
 from tutorstudent.core.roles import part
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Field
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 from tutorstudent.sims.gym.types import GymState
 
 
@@ -52,8 +52,8 @@ class InfoTrue(Condition[GymState]):
         key = self.options.key
         if key not in state.info:
             raise ContractError(
-                f"condition 'info-true': the info has no '{key}'{suggestion(key, state.info)}; it has "
-                f"{listing(state.info)}."
+                f"condition 'info-true': the info has no '{key}'{suggest(key, state.info)}; it has "
+                f"{list_names(state.info)}."
             )
         return bool(state.info[key])
 
@@ -71,7 +71,7 @@ class ObservationOutside(Condition[GymState]):
         high: float = Field(description="largest value that is no violation, in the observation's unit")
 
         @model_validator(mode="after")
-        def _ordered(self) -> ObservationOutside.Options:
+        def _check_order(self) -> ObservationOutside.Options:
             if self.low >= self.high:
                 raise ValueError("low is not below high")
             return self
@@ -81,13 +81,13 @@ class ObservationOutside(Condition[GymState]):
         return f"{self.name}({self.options.index})"
 
     def violated(self, state: GymState) -> bool:
-        return not self.options.low <= self._value(state) <= self.options.high
+        return not self.options.low <= self._read_value(state) <= self.options.high
 
     def margins(self, state: GymState) -> Sequence[float]:
-        value = self._value(state)
+        value = self._read_value(state)
         return [value - self.options.low, self.options.high - value]
 
-    def _value(self, state: GymState) -> float:
+    def _read_value(self, state: GymState) -> float:
         numbers = np.asarray(state.observation)
         if numbers.dtype.kind not in "fiub":
             raise ContractError(

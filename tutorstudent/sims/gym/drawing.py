@@ -26,10 +26,10 @@ COLOURS: dict[str, tuple[int, int, int]] = {
 Line = tuple[Sequence[Point], str]
 
 
-def picture(sketch: Sketch) -> NDArray[np.uint8]:
+def draw_picture(sketch: Sketch) -> NDArray[np.uint8]:
     """Return a sketch as an image, shape (SIDE, SIDE, 3), x to the right and y up; white where there is nothing."""
     image = np.full((SIDE, SIDE, 3), 255, dtype=np.uint8)
-    lines = list(_lines(sketch))
+    lines = list(_find_lines(sketch))
     if not lines:
         return image
     points = np.array([point for line, _ in lines for point in line])
@@ -40,7 +40,7 @@ def picture(sketch: Sketch) -> NDArray[np.uint8]:
     return image
 
 
-def _lines(sketch: Sketch) -> Iterator[Line]:
+def _find_lines(sketch: Sketch) -> Iterator[Line]:
     for outline, colour in sketch.polygons:
         if len(outline):
             yield [*outline, outline[0]], colour

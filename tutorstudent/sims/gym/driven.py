@@ -29,16 +29,16 @@ def drive(pipeline: Pipeline) -> Driven:
     student = data.get("student")
     if not isinstance(student, dict) or "encoder" not in student:
         raise PipelineError(
-            f"{pipeline.document.where(('student',))}: the student names no encoder, so there is nothing to observe; "
+            f"{pipeline.document.locate(('student',))}: the student names no encoder, so there is nothing to observe; "
             "add one, as in 'student: {use: backprop, encoder: prototype2-bits}'."
         )
     if "tutor" not in data:
         raise PipelineError(f"{pipeline.document.name}: there is no 'tutor'; name one, as in 'tutor: {{use: ...}}'.")
     amplifier = data.get("amplifier", DEFAULTS["amplifier"])
     outside: Outside[Any, Any] = Outside(
-        encoder=assembler.part("encoder", student["encoder"], ("student", "encoder")),
+        encoder=assembler.make_part("encoder", student["encoder"], ("student", "encoder")),
     )
-    ahead = Ahead(tutor=assembler.part("tutor", data["tutor"], ("tutor",)))
-    held: Held[Any] = Held(amplifier=assembler.part("amplifier", amplifier, ("amplifier",)))
+    ahead = Ahead(tutor=assembler.make_part("tutor", data["tutor"], ("tutor",)))
+    held: Held[Any] = Held(amplifier=assembler.make_part("amplifier", amplifier, ("amplifier",)))
     engine = pipeline.replaced({"selector": "modifier"}).engine(tutor=ahead, student=outside, amplifier=held)
     return Driven(engine, ahead, outside)

@@ -10,9 +10,9 @@ from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step, Summary, World
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
-from tutorstudent.core.words.freezing import read_only
+from tutorstudent.core.words.freezing import freeze
 from tutorstudent.sims.gym.loading import load_gymnasium
-from tutorstudent.sims.gym.spaces import box_values, check_box, check_fit
+from tutorstudent.sims.gym.spaces import check_box, check_fit, make_box_values
 from tutorstudent.sims.gym.types import GymState
 
 
@@ -57,15 +57,17 @@ class GymnasiumWorld(World[GymState, Action]):
             self._open()
         self._return = 0.0
         observation, info = self._env.reset(seed=seed)
-        return GymState(read_only(observation), info=read_only(info))
+        return GymState(freeze(observation), info=freeze(info))
 
     def step(self, action: Action) -> Step[GymState]:
         if self._env is None:
             raise ContractError("world 'gymnasium': no trial is running; call reset(seed) first.")
         if type(action) is not self._fits:
             self._check(type(action))
-        observation, reward, terminated, truncated, info = self._env.step(box_values(action, self._env.action_space))
-        state = GymState(read_only(observation), float(reward), bool(terminated), bool(truncated), read_only(info))
+        observation, reward, terminated, truncated, info = self._env.step(
+            make_box_values(action, self._env.action_space)
+        )
+        state = GymState(freeze(observation), float(reward), bool(terminated), bool(truncated), freeze(info))
         self._return += state.reward
         ended = state.terminated or state.truncated
         events = {"reward": state.reward, "episode_return": self._return, "episodes": float(ended)}
@@ -84,17 +86,17 @@ class GymnasiumWorld(World[GymState, Action]):
         try:
             env = gymnasium.make(self.options.id, **limit, **self.options.kwargs)
         except (gymnasium.error.Error, TypeError, ValueError, ImportError) as error:
-            raise PipelineError(f"{self._name()}: it cannot be made: {type(error).__name__}: {error}") from None
+            raise PipelineError(f"{self._format_name()}: it cannot be made: {type(error).__name__}: {error}") from None
         try:
-            check_box(env.action_space, self._name())
+            check_box(env.action_space, self._format_name())
         except ContractError:
             env.close()
             raise
         self._env = env
 
     def _check(self, action: type[Action]) -> None:
-        check_fit(action, self._env.action_space, self._name())
+        check_fit(action, self._env.action_space, self._format_name())
         self._fits = action
 
-    def _name(self) -> str:
+    def _format_name(self) -> str:
         return f"world 'gymnasium' ({self.options.id})"

@@ -11,7 +11,7 @@ from tutorstudent.core.roles.interfaces import Amplifier, Student, Tutor
 from tutorstudent.core.roles.leaves import Change, Encoder
 from tutorstudent.core.roles.part import Component, Field
 from tutorstudent.core.roles.part_options import Part
-from tutorstudent.core.words.actions import Action, ActionT, rebuilt
+from tutorstudent.core.words.actions import Action, ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.core.words.records import GradedAction, Lesson, Moment, StateT
@@ -107,12 +107,12 @@ class Ahead(Tutor[Any, Any]):
                     f"tutor '{self._tutor.name}' returned {type(said).__name__}; expected {self.action.__name__}."
                 )
             self._said = said
-            return rebuilt(said)
+            return rebuild(said)
         except Exception as error:
             if instead is None:
                 raise
             self._error = error
-            return rebuilt(instead)
+            return rebuild(instead)
 
     def act(self, state: Any) -> Any:
         if self._error is not None:

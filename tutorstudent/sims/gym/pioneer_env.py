@@ -10,7 +10,7 @@ import numpy as np
 from gymnasium.spaces import Box, Dict, Discrete
 from numpy.typing import NDArray
 
-from tutorstudent.sims.gym.drawing import picture
+from tutorstudent.sims.gym.drawing import draw_picture
 from tutorstudent.sims.gym.scoring import Weights, check_weights, score
 from tutorstudent.sims.pioneer.pioneer_world import PioneerWorld
 from tutorstudent.sims.pioneer.types import Blob, DriveAction, PioneerState
@@ -51,44 +51,44 @@ class PioneerEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Begin a trial with a seed of its own, drawn from the environment's."""
         super().reset(seed=seed)
-        return self._seen(self.world.reset(int(self.np_random.integers(2**31)))), {}
+        return self._make_observation(self.world.reset(int(self.np_random.integers(2**31)))), {}
 
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Hold the command for one decision. The info has the world's events."""
-        step = self.world.step(drive_action(*np.clip(action, -1.0, 1.0).tolist()))
+        step = self.world.step(make_drive_action(*np.clip(action, -1.0, 1.0).tolist()))
         reward = score(self._weights, step.events)
-        return self._seen(step.state), reward, step.done, step.truncated, dict(step.events)
+        return self._make_observation(step.state), reward, step.done, step.truncated, dict(step.events)
 
     def render(self) -> Any:
         """Return the world as it is now, from above."""
-        return picture(self.world.sketch()) if self.render_mode == "rgb_array" else None
+        return draw_picture(self.world.sketch()) if self.render_mode == "rgb_array" else None
 
     def close(self) -> None:
         """Release the simulator."""
         self.world.close()
 
-    def _seen(self, state: PioneerState) -> Observation:
+    def _make_observation(self, state: PioneerState) -> Observation:
         seen = {
             "sonar_m": state.sonar_m.astype(np.float32),
             "stalled": np.int64(state.stalled),
-            "red": self._thing(state, "red"),
-            "blue": self._thing(state, "blue"),
+            "red": self._observe_thing(state, "red"),
+            "blue": self._observe_thing(state, "blue"),
         }
         return cast(Observation, seen)
 
-    def _thing(self, state: PioneerState, colour: str) -> NDArray[np.float32]:
+    def _observe_thing(self, state: PioneerState, colour: str) -> NDArray[np.float32]:
         blob = next((blob for blob in state.blobs if blob.colour == colour), None)
-        found = (0.0, 0.0, self._far_m, 0.0) if blob is None else self._measured(blob)
+        found = (0.0, 0.0, self._far_m, 0.0) if blob is None else self._measure(blob)
         return np.array(found, np.float32)
 
-    def _measured(self, blob: Blob) -> tuple[float, float, float, float]:
+    def _measure(self, blob: Blob) -> tuple[float, float, float, float]:
         return 1.0, blob.bearing_rad, min(blob.range_m, self._far_m), blob.width_rad
 
 
-def drive_action(translation: float, rotation: float) -> DriveAction:
+def make_drive_action(translation: float, rotation: float) -> DriveAction:
     """Return a command of the kind that its larger component says; both components are driven.
 
-    >>> drive_action(-0.5, 0.2).kind, drive_action(0.0, 0.0).kind
+    >>> make_drive_action(-0.5, 0.2).kind, make_drive_action(0.0, 0.0).kind
     ('backward', 'stop')
     """
     if translation == 0 and rotation == 0:

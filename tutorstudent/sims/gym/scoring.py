@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 Weights = Mapping[str, float]
 """What one unit of an event is worth, by name."""
@@ -15,7 +15,7 @@ def check_weights(weights: Weights, known: Mapping[str, object]) -> Weights:
     for name in weights:
         if name not in known:
             raise ContractError(
-                f"weights: there is no event '{name}'{suggestion(name, known)}; events: {listing(known)}."
+                f"weights: there is no event '{name}'{suggest(name, known)}; events: {list_names(known)}."
             )
     return weights
 

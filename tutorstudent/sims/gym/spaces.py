@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import create_model
 
-from tutorstudent.core.words.actions import Action, component, vocabulary_of
+from tutorstudent.core.words.actions import Action, component, read_vocabulary
 from tutorstudent.core.words.commands import Command
-from tutorstudent.core.words.errors import ContractError, listing, suggestion
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 from tutorstudent.sims.gym.loading import load_gymnasium
 
 _ROUNDING = 1e-6
@@ -64,16 +64,16 @@ def box_action(
     for name in amplified or ():
         if name not in named:
             raise ContractError(
-                f"box_action(): there is no component '{name}'{suggestion(name, named)}; they are {listing(named)}."
+                f"box_action(): there is no component '{name}'{suggest(name, named)}; they are {list_names(named)}."
             )
     fields: dict[str, Any] = {
-        name: (float, component(_bound(low), _bound(high), neutral=neutral))
+        name: (float, component(_make_bound(low), _make_bound(high), neutral=neutral))
         for name, low, high in zip(named, lows, highs, strict=True)
     }
     made: type[Command] = create_model("BoxAction", __base__=Command, __module__=__name__, **fields)
     alone = None if amplified is None else dict.fromkeys(amplified, "outward")
     made.amplification = {"command": alone or {tuple(named): "outward"}}  # type: ignore[dict-item]
-    made.vocabulary = vocabulary_of(made)
+    made.vocabulary = read_vocabulary(made)
     return made
 
 
@@ -87,7 +87,7 @@ def check_fit(action: type[Action], space: Any, where: str) -> None:
     size = math.prod(space.shape)
     if len(specs) != size or not all(spec.number for spec in specs):
         raise ContractError(
-            f"{where}: the tutor's {action.__name__} has the components {listing(spec.name for spec in specs)}; the "
+            f"{where}: the tutor's {action.__name__} has the components {list_names(spec.name for spec in specs)}; the "
             f"action space {space} takes {size} numbers. Use a class of as many, as in ts.vector(low, high, {size})."
         )
     for spec, low, high in zip(specs, space.low.ravel().tolist(), space.high.ravel().tolist(), strict=True):
@@ -99,12 +99,12 @@ def check_fit(action: type[Action], space: Any, where: str) -> None:
             )
 
 
-def box_values(action: Action, space: Any) -> NDArray[Any]:
+def make_box_values(action: Action, space: Any) -> NDArray[Any]:
     """Return an action that fits as what the environment takes."""
     values = np.array([getattr(action, name) for name in action.vocabulary.components], dtype=space.dtype)
     clipped: NDArray[Any] = np.clip(values.reshape(space.shape), space.low, space.high)
     return clipped
 
 
-def _bound(bound: float) -> float | None:
+def _make_bound(bound: float) -> float | None:
     return bound if math.isfinite(bound) else None

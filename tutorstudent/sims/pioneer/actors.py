@@ -52,7 +52,7 @@ class Sensed(NamedTuple):
     """Bearing of the learner, or None if it is not seen."""
 
 
-def sensed(sonar_m: Sequence[float], learner_rad: float | None) -> Sensed:
+def sense(sonar_m: Sequence[float], learner_rad: float | None) -> Sensed:
     """Return what the readings of `SONARS` and the bearing of the learner mean to an actor."""
     a, b, c, d, e, f, g, h = sonar_m
     return Sensed(min(c, d, e, f), min(a, b), min(g, h), 1.0 if a + b + c + d > e + f + g + h else -1.0, learner_rad)

@@ -71,12 +71,12 @@ def edge_m(x_m: float, y_m: float, cos: float, sin: float) -> float:
 
     Negative where the point lies beyond the body already, as the front sonars do.
     """
-    along = _leaves(x_m - CENTRE_M, cos, LENGTH_M / 2)
-    across = _leaves(y_m, sin, WIDTH_M / 2)
+    along = _find_exit(x_m - CENTRE_M, cos, LENGTH_M / 2)
+    across = _find_exit(y_m, sin, WIDTH_M / 2)
     return min(along, across)
 
 
-def _leaves(offset: float, slope: float, half: float) -> float:
+def _find_exit(offset: float, slope: float, half: float) -> float:
     if abs(slope) < 1e-12:
         return math.inf
     return (math.copysign(half, slope) - offset) / slope

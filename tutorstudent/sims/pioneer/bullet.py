@@ -36,7 +36,7 @@ STDERR = 2
 def load_pybullet() -> Any:
     """Return the pybullet module; PipelineError with the remedy where it is not installed."""
     try:
-        with _silenced_stderr():
+        with _silence_stderr():
             return importlib.import_module("pybullet")
     except ImportError:
         raise PipelineError(
@@ -45,7 +45,7 @@ def load_pybullet() -> Any:
 
 
 @contextmanager
-def _silenced_stderr() -> Iterator[None]:
+def _silence_stderr() -> Iterator[None]:
     """Keep pybullet's build time, which it prints from C when it is imported, off the terminal."""
     with Path(os.devnull).open("w", encoding="utf-8") as nowhere:
         kept = os.dup(STDERR)

@@ -42,27 +42,27 @@ class CallLog:
 
     def __getattr__(self, name: str) -> Any:
         value = getattr(self._api, name)
-        return self._noted(name, value) if callable(value) else value
+        return self._note(name, value) if callable(value) else value
 
-    def _noted(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def _note(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         def call(*args: Any, **kwargs: Any) -> Any:
-            self.calls.append(Call(name, tuple(map(_kept, args)), kwargs))
+            self.calls.append(Call(name, tuple(map(_keep, args)), kwargs))
             return function(*args, **kwargs)
 
         return call
 
 
-def bound(calls: Iterable[Call], api: Any, client: int) -> list[Callable[[], Any]]:
+def bind_calls(calls: Iterable[Call], api: Any, client: int) -> list[Callable[[], Any]]:
     """Return the calls ready to be made on another client, so that a clock sees nothing but pybullet."""
     return [
-        _ready(getattr(api, call.function), call.args, {**call.kwargs, "physicsClientId": client}) for call in calls
+        _bind_call(getattr(api, call.function), call.args, {**call.kwargs, "physicsClientId": client}) for call in calls
     ]
 
 
-def _ready(function: Callable[..., Any], args: tuple[Any, ...], kwargs: dict[str, Any]) -> Callable[[], Any]:
+def _bind_call(function: Callable[..., Any], args: tuple[Any, ...], kwargs: dict[str, Any]) -> Callable[[], Any]:
     return lambda: function(*args, **kwargs)
 
 
-def _kept(value: Any) -> Any:
+def _keep(value: Any) -> Any:
     """Return a copy of an array, whose owner writes into it again."""
     return value.copy() if hasattr(value, "copy") else value

@@ -11,7 +11,7 @@ import numpy as np
 from tutorstudent.sims.pioneer.body import CENTRE_M, LENGTH_M, Pose
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
-from tutorstudent.sims.pioneer.senses import BLOB_COLOURS, Camera, RayCamera, coloured
+from tutorstudent.sims.pioneer.senses import BLOB_COLOURS, Camera, RayCamera, find_coloured
 from tutorstudent.sims.pioneer.stage import Stage
 from tutorstudent.sims.pioneer.types import Blob
 from tutorstudent.sims.pioneer.vision import BlobCamera
@@ -51,7 +51,7 @@ class RenderedCamera:
         self._learner = layout.learner
         self._range_m = range_m
         boxes = zip(stage.boxes, (box.colour for box in layout.boxes), strict=True)
-        robots = ((stage.shapes.bodies[i], colour) for i, colour in coloured(layout, BLOB_COLOURS))
+        robots = ((stage.shapes.bodies[i], colour) for i, colour in find_coloured(layout, BLOB_COLOURS))
         self._bodies = [*((body, colour) for body, colour in boxes if colour in BLOB_COLOURS), *robots]
         self._half = math.tan(field_of_view_rad / 2)
         lines = np.linspace(self._half, -self._half, COLUMNS + 1)[:-1]
@@ -61,10 +61,10 @@ class RenderedCamera:
 
     def look(self, poses: Sequence[Pose]) -> tuple[Blob, ...]:
         mask, depth = self._bullet.render(poses[self._learner], self._half, NEAR_M, self._range_m, (COLUMNS, ROWS))
-        blobs = (self._blob(body, colour, mask[HORIZON], depth[HORIZON]) for body, colour in self._bodies)
+        blobs = (self._make_blob(body, colour, mask[HORIZON], depth[HORIZON]) for body, colour in self._bodies)
         return tuple(sorted((blob for blob in blobs if blob is not None), key=lambda blob: blob.range_m))
 
-    def _blob(self, body: int, colour: str, mask: Any, depth: Any) -> Blob | None:
+    def _make_blob(self, body: int, colour: str, mask: Any, depth: Any) -> Blob | None:
         ranges = depth / np.cos(self._bearing)
         seen = np.flatnonzero((mask == body) & (ranges <= self._range_m))
         if not seen.size:

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from tutorstudent.core.files.yamlfile import Document, Location
-from tutorstudent.core.words.errors import PipelineError, listing, suggestion
+from tutorstudent.core.words.errors import PipelineError, list_names, suggest
 from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Spec, Walls
 
 PARTS: Mapping[int | str, type[Spec]] = {"walls": Walls, "map": RosMap, "circle": Circle, "boxes": Box, "robots": Robot}
@@ -20,7 +20,7 @@ ALTERNATIVES = ("circle", "polygon", "walls", "map", "file")
 _SpecT = TypeVar("_SpecT", bound=Spec)
 
 
-def checked(model: type[_SpecT], document: Document) -> _SpecT:
+def validate(model: type[_SpecT], document: Document) -> _SpecT:
     """Return the validated data of a document.
 
     Raises:
@@ -31,38 +31,41 @@ def checked(model: type[_SpecT], document: Document) -> _SpecT:
         return model.model_validate(document.data)
     except ValidationError as error:
         items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
-        lines = (f"{document.where(_in_file(item['loc'], document.data))}: {_problem(model, item)}" for item in items)
+        lines = (
+            f"{document.locate(_locate(item['loc'], document.data))}: {_describe_problem(model, item)}"
+            for item in items
+        )
         raise PipelineError("\n".join(lines)) from None
 
 
-def _in_file(loc: Location, data: Any) -> Location:
-    return tuple(_keys(loc, data))
+def _locate(loc: Location, data: Any) -> Location:
+    return tuple(_find_keys(loc, data))
 
 
-def _keys(loc: Location, data: Any) -> Iterator[int | str]:
+def _find_keys(loc: Location, data: Any) -> Iterator[int | str]:
     """Yield the keys of a location as they stand in the file; the names of alternatives are not in it."""
     for i, key in enumerate(loc):
         known = isinstance(data, Mapping) and key in data
         if i > 0 and key in ALTERNATIVES and not known:
             continue
-        data = _item(data, key)
+        data = _get_item(data, key)
         yield key
 
 
-def _item(data: Any, key: int | str) -> Any:
+def _get_item(data: Any, key: int | str) -> Any:
     if isinstance(data, Mapping):
         return data.get(key)
     return data[key] if isinstance(data, list) and isinstance(key, int) and key < len(data) else None
 
 
-def _problem(model: type[Spec], item: Any) -> str:
+def _describe_problem(model: type[Spec], item: Any) -> str:
     """Say what is wrong; where it stands is told before."""
     *above, last = item["loc"] or ("",)
     found = reprlib.repr(item["input"])
     match item["type"]:
         case "extra_forbidden":
             allowed = next((PARTS[key] for key in reversed(above) if key in PARTS), model).model_fields
-            return f"unknown key{suggestion(str(last), allowed)}. Allowed: {listing(allowed)}."
+            return f"unknown key{suggest(str(last), allowed)}. Allowed: {list_names(allowed)}."
         case "missing":
             return "this is required, but it is missing."
         case "value_error":
@@ -70,6 +73,6 @@ def _problem(model: type[Spec], item: Any) -> str:
         case "model_type":
             return f"input should be a mapping of keys and values, found {found}."
         case "literal_error":
-            near = suggestion(str(item["input"]), re.findall(r"'([^']+)'", item["ctx"]["expected"]))
+            near = suggest(str(item["input"]), re.findall(r"'([^']+)'", item["ctx"]["expected"]))
             return f"input should be {item['ctx']['expected']}, found {found}{near}."
     return f"{item['msg'][0].lower()}{item['msg'][1:]}, found {found}."

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tutorstudent.core.roles.binding import stream
-from tutorstudent.sims.pioneer.actors import SONARS, Predator, Prey, Sensed, sensed
+from tutorstudent.core.roles.binding import make_stream
+from tutorstudent.sims.pioneer.actors import SONARS, Predator, Prey, Sensed, sense
 from tutorstudent.sims.pioneer.body import Pose, footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
 from tutorstudent.sims.pioneer.layout import Layout
@@ -35,8 +35,8 @@ class Company:
         self._learner = layout.learner
         self._members = [i for i in range(len(layout.robots)) if i != self._learner]
         self._hunters = [i for i in self._members if layout.robots[i].controller == "predator"]
-        self._actors = [_actor(layout.robots[i], options, seed) for i in self._members]
-        streams = [stream(seed, f"pioneer.{layout.robots[i].name}.sonar") for i in self._members]
+        self._actors = [_make_actor(layout.robots[i], options, seed) for i in self._members]
+        streams = [make_stream(seed, f"pioneer.{layout.robots[i].name}.sonar") for i in self._members]
         self._noise = ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, streams)
         self._ring = SonarRing(SONARS, options.sonar_range_m, len(self._members))
         self._camera = BlobCamera(np.deg2rad(options.camera_fov_deg), options.camera_range_m, options.camera_columns)
@@ -65,17 +65,17 @@ class Company:
 
     def _sense(self, poses: Sequence[Pose]) -> list[Sensed]:
         self._shapes.show(poses)
-        starts, ends = self._ring.rays([poses[i] for i in self._members])
-        sights = self._sights(poses)
+        starts, ends = self._ring.make_rays([poses[i] for i in self._members])
+        sights = self._find_sights(poses)
         for sight in sights.values():
             starts, ends = np.concatenate((starts, sight.starts)), np.concatenate((ends, sight.ends))
         fractions = self._bullet.cast(starts, ends)
         rays = len(self._members) * len(SONARS)
         ranges = self._noise.read(self._ring.ranges_m(fractions[:rays])).tolist()
-        bearings = self._bearings(sights, fractions[rays:])
-        return [sensed(row, bearings.get(i)) for i, row in zip(self._members, ranges, strict=True)]
+        bearings = self._find_bearings(sights, fractions[rays:])
+        return [sense(row, bearings.get(i)) for i, row in zip(self._members, ranges, strict=True)]
 
-    def _sights(self, poses: Sequence[Pose]) -> dict[int, Sight]:
+    def _find_sights(self, poses: Sequence[Pose]) -> dict[int, Sight]:
         """Return what each hunter could see of the learner, where it could see any."""
         if not self._hunters:
             return {}
@@ -83,16 +83,16 @@ class Company:
         sights = {i: self._camera.look(poses[i], [learner]) for i in self._hunters}
         return {i: sight for i, sight in sights.items() if sight.views}
 
-    def _bearings(self, sights: dict[int, Sight], fractions: Sequence[float]) -> dict[int, float]:
+    def _find_bearings(self, sights: dict[int, Sight], fractions: Sequence[float]) -> dict[int, float]:
         """Return the bearing of the learner for each hunter that sees it."""
         found = {}
         for at, (i, sight) in enumerate(sights.items()):
-            blobs = self._camera.blobs(sight, fractions[at * self._camera.columns :])
+            blobs = self._camera.make_blobs(sight, fractions[at * self._camera.columns :])
             if blobs:
                 found[i] = blobs[0].bearing_rad
         return found
 
 
-def _actor(robot: Robot, options: PioneerOptions, seed: int) -> Prey:
-    rng = stream(seed, f"pioneer.{robot.name}.controller")
+def _make_actor(robot: Robot, options: PioneerOptions, seed: int) -> Prey:
+    rng = make_stream(seed, f"pioneer.{robot.name}.controller")
     return Predator(options.predator, rng) if robot.controller == "predator" else Prey(options.prey, rng)

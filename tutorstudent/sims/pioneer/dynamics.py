@@ -46,8 +46,8 @@ class DynamicDrive(Drive):
             for body, command in zip(self._bodies, commands, strict=True):
                 self._push(body, command)
             self._bullet.call("stepSimulation")
-        self.poses = [self._settled(body, old) for body, old in zip(self._bodies, before, strict=True)]
-        return [self._stopped(i, before[i], command) for i, command in enumerate(commands)]
+        self.poses = [self._find_pose(body, old) for body, old in zip(self._bodies, before, strict=True)]
+        return [self._find_stop(i, before[i], command) for i, command in enumerate(commands)]
 
     @abc.abstractmethod
     def _add(self, pose: Pose) -> int:
@@ -58,14 +58,14 @@ class DynamicDrive(Drive):
         """Do what the command asks for in one step of physics."""
 
     @abc.abstractmethod
-    def _settled(self, body: int, before: Pose) -> Pose:
+    def _find_pose(self, body: int, before: Pose) -> Pose:
         """Return the pose of the rotation centre after a tick."""
 
-    def _stopped(self, index: int, before: Pose, command: Command) -> int:
-        touched = self._touched(self._bodies[index])
-        return touched if touched != FREE and self._short(before, self.poses[index], command) else FREE
+    def _find_stop(self, index: int, before: Pose, command: Command) -> int:
+        touched = self._find_touched(self._bodies[index])
+        return touched if touched != FREE and self._is_short(before, self.poses[index], command) else FREE
 
-    def _touched(self, body: int) -> int:
+    def _find_touched(self, body: int) -> int:
         for contact in self._bullet.call("getContactPoints", body):
             other = contact[2]
             if other == self._walls:
@@ -74,7 +74,7 @@ class DynamicDrive(Drive):
                 return self._bodies.index(other)
         return FREE
 
-    def _short(self, before: Pose, after: Pose, command: Command) -> bool:
+    def _is_short(self, before: Pose, after: Pose, command: Command) -> bool:
         speed, turn = command
         dx, dy = after.x_m - before.x_m, after.y_m - before.y_m
         way = dx * math.cos(before.heading_rad) + dy * math.sin(before.heading_rad)
@@ -106,9 +106,9 @@ class PlanarDrive(DynamicDrive):
         velocity = [speed * math.cos(heading), speed * math.sin(heading), 0.0]
         self._bullet.call("resetBaseVelocity", body, velocity, [0.0, 0.0, turn])
 
-    def _settled(self, body: int, before: Pose) -> Pose:
+    def _find_pose(self, body: int, before: Pose) -> Pose:
         (x, y, _), turn = self._bullet.call("getBasePositionAndOrientation", body)
-        pose = Pose(x, y, _near(_yaw(turn), before.heading_rad))
+        pose = Pose(x, y, _unwrap(_yaw(turn), before.heading_rad))
         self._bullet.place(body, pose, HEIGHT_M / 2)
         return pose
 
@@ -153,9 +153,9 @@ class WheeledDrive(DynamicDrive):
     def _push(self, body: int, command: Command) -> None:
         """Nothing: the motors hold their speed."""
 
-    def _settled(self, body: int, before: Pose) -> Pose:
+    def _find_pose(self, body: int, before: Pose) -> Pose:
         (x, y, _), turn = self._bullet.call("getBasePositionAndOrientation", body)
-        heading = _near(_yaw(turn), before.heading_rad)
+        heading = _unwrap(_yaw(turn), before.heading_rad)
         return Pose(x - CENTRE_M * math.cos(heading), y - CENTRE_M * math.sin(heading), heading)
 
 
@@ -164,6 +164,6 @@ def _yaw(turn: Sequence[float]) -> float:
     return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
 
-def _near(heading: float, before: float) -> float:
+def _unwrap(heading: float, before: float) -> float:
     """Return the same direction, counted on from `before`."""
     return before + math.remainder(heading - before, math.tau)

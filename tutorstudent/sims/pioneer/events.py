@@ -84,7 +84,7 @@ class Tally:
             "time_s": self._ticks * self._tick_s,
             "x_m": self._pose.x_m,
             "y_m": self._pose.y_m,
-            "heading_rad": wrapped_rad(self._pose.heading_rad),
+            "heading_rad": wrap_rad(self._pose.heading_rad),
         }
         self._clear()
         return events
@@ -148,10 +148,10 @@ class Encounters:
         return self._inside[index] and not inside
 
 
-def wrapped_rad(angle_rad: float) -> float:
+def wrap_rad(angle_rad: float) -> float:
     """Return the same direction in (-pi, pi].
 
-    >>> wrapped_rad(-math.pi) == wrapped_rad(3 * math.pi) == math.pi
+    >>> wrap_rad(-math.pi) == wrap_rad(3 * math.pi) == math.pi
     True
     """
     wrapped = math.remainder(angle_rad, math.tau)

@@ -25,7 +25,7 @@ def read_grey(path: Path) -> Grey:
     """Return the grey values, shape (height, width), top row first; PipelineError if the file cannot be read."""
     try:
         data = path.read_bytes()
-        return _png(data) if data.startswith(_PNG) else _pgm(data)
+        return _read_png(data) if data.startswith(_PNG) else _read_pgm(data)
     except OSError as error:
         raise PipelineError(f"{path}: cannot be read: {error.strerror}.") from None
     except (struct.error, zlib.error):
@@ -34,8 +34,8 @@ def read_grey(path: Path) -> Grey:
         raise PipelineError(f"{path}: {error}. {SUPPORTED}") from None
 
 
-def _pgm(data: bytes) -> Grey:
-    header, start = _pgm_header(data)
+def _read_pgm(data: bytes) -> Grey:
+    header, start = _read_pgm_header(data)
     if not all(word.isdigit() for word in header[1:]):
         raise ValueError("the header of a PGM has three whole numbers")
     width, height, most = (int(word) for word in header[1:])
@@ -51,7 +51,7 @@ def _pgm(data: bytes) -> Grey:
     return (values.reshape(height, width).astype(np.float64) * 255.0 / most).astype(np.uint8)
 
 
-def _pgm_header(data: bytes) -> tuple[list[bytes], int]:
+def _read_pgm_header(data: bytes) -> tuple[list[bytes], int]:
     """Return magic number, width, height and largest value, and where the values begin."""
     words: list[bytes] = []
     at = 0
@@ -71,8 +71,8 @@ def _pgm_header(data: bytes) -> tuple[list[bytes], int]:
     return words, at + 1
 
 
-def _png(data: bytes) -> Grey:
-    chunks = list(_chunks(data))
+def _read_png(data: bytes) -> Grey:
+    chunks = list(_read_chunks(data))
     header = next((body for kind, body in chunks if kind == b"IHDR"), b"")
     width, height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", header)
     _check_size(width, height)
@@ -84,13 +84,13 @@ def _png(data: bytes) -> Grey:
     if len(raw) < limit:
         raise ValueError("the image is cut short or damaged")
     rows = np.frombuffer(raw, np.uint8).reshape(height, width * channels + 1)
-    pixels = _unfiltered(rows, channels).reshape(height, width, channels)
+    pixels = _unfilter(rows, channels).reshape(height, width, channels)
     shades = pixels[:, :, :1] if channels < 3 else pixels[:, :, :3]
     grey: Grey = shades.mean(axis=2).astype(np.uint8)
     return grey
 
 
-def _chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
+def _read_chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
     at = len(_PNG)
     while at + 8 <= len(data):
         size = struct.unpack(">I", data[at : at + 4])[0]
@@ -98,16 +98,16 @@ def _chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
         at += size + 12
 
 
-def _unfiltered(rows: Grey, channels: int) -> Grey:
+def _unfilter(rows: Grey, channels: int) -> Grey:
     out = np.zeros((rows.shape[0], rows.shape[1] - 1), np.uint8)
     above = np.zeros(rows.shape[1] - 1, np.int64)
     for i, row in enumerate(rows):
-        above = _row(int(row[0]), row[1:].astype(np.int64), above, channels)
+        above = _unfilter_row(int(row[0]), row[1:].astype(np.int64), above, channels)
         out[i] = above
     return out
 
 
-def _row(method: int, row: NDArray[np.int64], above: NDArray[np.int64], step: int) -> NDArray[np.int64]:
+def _unfilter_row(method: int, row: NDArray[np.int64], above: NDArray[np.int64], step: int) -> NDArray[np.int64]:
     """Undo one of PNG's five row filters."""
     if method == 0:
         return row

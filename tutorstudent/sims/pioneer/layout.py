@@ -10,7 +10,7 @@ from pathlib import Path
 from tutorstudent.core.roles.world import Point
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
-from tutorstudent.sims.pioneer.mesh import Mesh, circle, facades, prisms, thickened
+from tutorstudent.sims.pioneer.mesh import Mesh, make_circle, make_facades, make_prisms, thicken
 from tutorstudent.sims.pioneer.ros_map import read_ros_map
 from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Walls
 from tutorstudent.sims.pioneer.scene_files import find_scene, read_scene
@@ -62,16 +62,16 @@ def load_layout(
         raise PipelineError(f"{path}: the walls are in percent, so side_m is required.")
     units = {"metres": 1.0, "percent": (side_m or math.nan) / 100.0}
     unit_m = units[spec.units]
-    arena, islands = read_ros_map(Path(walls.ros_map)) if isinstance(walls, RosMap) else _walls(walls, units)
+    arena, islands = read_ros_map(Path(walls.ros_map)) if isinstance(walls, RosMap) else _make_walls(walls, units)
     starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
-    places = _places(spec.boxes, box_places, path)
-    boxes = [_box(box, at, unit_m, box_side_m or box.side_m) for box, at in zip(spec.boxes, places, strict=True)]
-    solids = [arena, thickened(arena), *islands, *(box.corners() for box in boxes)]
-    picture = facades([arena, *islands])
-    return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts), prisms(solids), picture)
+    places = _choose_places(spec.boxes, box_places, path)
+    boxes = [_make_box(box, at, unit_m, box_side_m or box.side_m) for box, at in zip(spec.boxes, places, strict=True)]
+    solids = [arena, thicken(arena), *islands, *(box.corners() for box in boxes)]
+    picture = make_facades([arena, *islands])
+    return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts), make_prisms(solids), picture)
 
 
-def _places(boxes: Sequence[Box], places: Sequence[Point], path: Path) -> Sequence[Point]:
+def _choose_places(boxes: Sequence[Box], places: Sequence[Point], path: Path) -> Sequence[Point]:
     if not boxes or not places:
         return [(box.x, box.y) for box in boxes]
     if len(places) != len(boxes):
@@ -82,18 +82,18 @@ def _places(boxes: Sequence[Box], places: Sequence[Point], path: Path) -> Sequen
     return places
 
 
-def _walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:
+def _make_walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:
     unit_m = units[walls.units]
-    return _outline(walls.arena, unit_m), [_outline(shape, unit_m) for shape in walls.islands.values()]
+    return _make_outline(walls.arena, unit_m), [_make_outline(shape, unit_m) for shape in walls.islands.values()]
 
 
-def _outline(shape: Circle | list[Point], unit_m: float) -> Outline:
+def _make_outline(shape: Circle | list[Point], unit_m: float) -> Outline:
     if isinstance(shape, Circle):
-        return circle(shape.centre[0] * unit_m, shape.centre[1] * unit_m, shape.radius * unit_m)
+        return make_circle(shape.centre[0] * unit_m, shape.centre[1] * unit_m, shape.radius * unit_m)
     return [(x * unit_m, y * unit_m) for x, y in shape]
 
 
-def _box(box: Box, at: Point, unit_m: float, side_m: float) -> Rectangle:
+def _make_box(box: Box, at: Point, unit_m: float, side_m: float) -> Rectangle:
     heading = math.radians(box.heading_deg)
     half = side_m / 2
     return Rectangle(box.colour, at[0] * unit_m, at[1] * unit_m, math.cos(heading), math.sin(heading), half, half)

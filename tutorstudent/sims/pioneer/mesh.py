@@ -25,7 +25,7 @@ class Mesh(NamedTuple):
     normals: Sequence[Vertex] = ()
 
 
-def prisms(outlines: Iterable[Sequence[Point]]) -> Mesh:
+def make_prisms(outlines: Iterable[Sequence[Point]]) -> Mesh:
     """Return upright faces along closed outlines, one quad for each side."""
     vertices: list[Vertex] = []
     indices: list[int] = []
@@ -39,7 +39,7 @@ def prisms(outlines: Iterable[Sequence[Point]]) -> Mesh:
     return Mesh(vertices, indices)
 
 
-def facades(outlines: Iterable[Sequence[Point]]) -> Mesh:
+def make_facades(outlines: Iterable[Sequence[Point]]) -> Mesh:
     """Return the same faces for a renderer: flat, and seen from both sides."""
     vertices: list[Vertex] = []
     indices: list[int] = []
@@ -56,7 +56,7 @@ def facades(outlines: Iterable[Sequence[Point]]) -> Mesh:
     return Mesh(vertices, indices, normals)
 
 
-def circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:
+def make_circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:
     """Return a regular polygon whose sides keep the circle's radius on average, counter-clockwise."""
     step = math.tau / CIRCLE_SIDES
     corner_m = radius_m * 2.0 / (1.0 + math.cos(step / 2))
@@ -64,11 +64,11 @@ def circle(x_m: float, y_m: float, radius_m: float) -> list[Point]:
     return [(x_m + corner_m * math.cos(angle), y_m + corner_m * math.sin(angle)) for angle in angles]
 
 
-def thickened(outline: Sequence[Point]) -> list[Point]:
+def thicken(outline: Sequence[Point]) -> list[Point]:
     """Return the outer outline of a wall that stands round `outline`, `RING_M` thick at its corners or more."""
     turn = math.copysign(1.0, area(outline))
     count = len(outline)
-    return [_outward(outline[i - 1], outline[i], outline[(i + 1) % count], turn) for i in range(count)]
+    return [_move_outward(outline[i - 1], outline[i], outline[(i + 1) % count], turn) for i in range(count)]
 
 
 def area(outline: Sequence[Point]) -> float:
@@ -81,7 +81,7 @@ def area(outline: Sequence[Point]) -> float:
     return sum(x * v - u * y for (x, y), (u, v) in zip(outline, following, strict=True)) / 2
 
 
-def _outward(before: Point, here: Point, after: Point, turn: float) -> Point:
+def _move_outward(before: Point, here: Point, after: Point, turn: float) -> Point:
     ahead = math.atan2(after[1] - here[1], after[0] - here[0])
     behind = math.atan2(here[1] - before[1], here[0] - before[0])
     half = math.remainder(ahead - behind, math.tau) / 2

@@ -18,7 +18,7 @@ from tutorstudent.core.words.errors import ContractError
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.events import EVENTS
 from tutorstudent.sims.pioneer.layout import Layout, load_layout
-from tutorstudent.sims.pioneer.scene_files import lasting_name
+from tutorstudent.sims.pioneer.scene_files import make_lasting_name
 from tutorstudent.sims.pioneer.trial import Trial
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
 from tutorstudent.sims.pioneer.world_options import PioneerOptions
@@ -63,27 +63,27 @@ class PioneerWorld(World[PioneerState, DriveAction]):
         assert self._layout is not None  # noqa: S101 - setup has read it
         assert self._bullet is not None  # noqa: S101 - setup has opened it
         self._trial = Trial(self._bullet, self._layout, self.options, seed)
-        return self._trial.state()
+        return self._trial.sense()
 
     def step(self, action: DriveAction) -> Step[PioneerState]:
-        trial = self._running()
+        trial = self._require_trial()
         options = self.options
         speed = action.translation * options.full_speed_mps
         turn = action.rotation * math.radians(options.full_turn_degps)
-        for _ in range(self.ticks(action.duration_s)):
+        for _ in range(self.count_ticks(action.duration_s)):
             trial.tick((speed, turn))
-        return Step(trial.state(), trial.events())
+        return Step(trial.sense(), trial.take_events())
 
-    def ticks(self, duration_s: float) -> int:
+    def count_ticks(self, duration_s: float) -> int:
         """Return for how many ticks an action of this duration is held."""
         return max(1, round(duration_s / self.options.tick_s), self.options.ticks_per_decision)
 
     def describe(self) -> dict[str, Any]:
         """Return the world as a pipeline in any folder would name it: a scene's path is absolute."""
-        return super().describe() | {"scene": lasting_name(self.options.scene)}
+        return super().describe() | {"scene": make_lasting_name(self.options.scene)}
 
     def sketch(self) -> Sketch:
-        return self._running().sketch()
+        return self._require_trial().sketch()
 
     def close(self) -> None:
         """Release the physics client. A later `reset` opens a new one."""
@@ -93,7 +93,7 @@ class PioneerWorld(World[PioneerState, DriveAction]):
         self._bullet = None
         self._trial = None
 
-    def _running(self) -> Trial:
+    def _require_trial(self) -> Trial:
         if self._trial is None:
             raise ContractError("world 'pioneer': no trial is running; call reset(seed) first.")
         return self._trial

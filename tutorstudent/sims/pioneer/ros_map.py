@@ -13,10 +13,10 @@ from pydantic import Field, model_validator
 
 from tutorstudent.core.files.yamlfile import read_yaml
 from tutorstudent.core.roles.world import Point
-from tutorstudent.sims.pioneer.checking import checked
+from tutorstudent.sims.pioneer.checking import validate
 from tutorstudent.sims.pioneer.images import read_grey
 from tutorstudent.sims.pioneer.scene import Spec
-from tutorstudent.sims.pioneer.scene_files import beside
+from tutorstudent.sims.pioneer.scene_files import find_beside
 
 Cells = NDArray[np.bool_]
 Corner = tuple[int, int]
@@ -34,7 +34,7 @@ class RosMapFile(Spec):
     mode: Literal["trinary", "scale"] = "trinary"
 
     @model_validator(mode="after")
-    def _ordered(self) -> RosMapFile:
+    def _check_order(self) -> RosMapFile:
         if self.free_thresh > self.occupied_thresh:
             raise ValueError("free_thresh is above occupied_thresh")
         return self
@@ -46,29 +46,29 @@ def read_ros_map(path: Path) -> tuple[list[Point], list[list[Point]]]:
     Occupied is what is darker than ``occupied_thresh``; unknown cells are free. Choice: the map's edge is a wall.
     """
     document = read_yaml(path)
-    spec = checked(RosMapFile, document)
-    grey = read_grey(beside(document, ("image",), spec.image))
+    spec = validate(RosMapFile, document)
+    grey = read_grey(find_beside(document, ("image",), spec.image))
     shade = grey / 255.0 if spec.negate else 1.0 - grey / 255.0
     cells = (shade > spec.occupied_thresh)[::-1]
     height, width = cells.shape
     whole = [(0, 0), (width, 0), (width, height), (0, height)]
-    return _metres(whole, spec), [_metres(loop, spec) for loop in outlines(cells)]
+    return _make_metres(whole, spec), [_make_metres(loop, spec) for loop in find_outlines(cells)]
 
 
-def outlines(cells: Cells) -> list[list[Corner]]:
+def find_outlines(cells: Cells) -> list[list[Corner]]:
     """Return the closed outlines of the true cells, each corner once, in cells; row 0 is the lowest.
 
     Outer outlines run counter-clockwise, holes clockwise. Cells that only share a corner are not joined.
     """
-    following = _edges(cells)
+    following = _find_edges(cells)
     loops = []
     while following:
-        loop = list(_loop(following))
-        loops.append([here for before, here, after in _around(loop) if _bends(before, here, after)])
+        loop = list(_follow_loop(following))
+        loops.append([here for before, here, after in _walk_round(loop) if _bends(before, here, after)])
     return loops
 
 
-def _edges(cells: Cells) -> dict[Corner, list[Corner]]:
+def _find_edges(cells: Cells) -> dict[Corner, list[Corner]]:
     """Return, for each corner, where the outline goes from there, the occupied cell on its left."""
     padded = np.pad(cells, 1)
     inner = padded[1:-1, 1:-1]
@@ -85,7 +85,7 @@ def _edges(cells: Cells) -> dict[Corner, list[Corner]]:
     return following
 
 
-def _loop(following: dict[Corner, list[Corner]]) -> Iterator[Corner]:
+def _follow_loop(following: dict[Corner, list[Corner]]) -> Iterator[Corner]:
     """Take one closed outline out of the edges; where two meet, turn left so as to stay with the same cell."""
     first = here = next(iter(following))
     before = here
@@ -101,7 +101,7 @@ def _loop(following: dict[Corner, list[Corner]]) -> Iterator[Corner]:
             return
 
 
-def _around(loop: list[Corner]) -> Iterator[tuple[Corner, Corner, Corner]]:
+def _walk_round(loop: list[Corner]) -> Iterator[tuple[Corner, Corner, Corner]]:
     for i, here in enumerate(loop):
         yield loop[i - 1], here, loop[(i + 1) % len(loop)]
 
@@ -114,7 +114,7 @@ def _cross(before: Corner, here: Corner, after: Corner) -> int:
     return (here[0] - before[0]) * (after[1] - here[1]) - (here[1] - before[1]) * (after[0] - here[0])
 
 
-def _metres(corners: list[Corner], spec: RosMapFile) -> list[Point]:
+def _make_metres(corners: list[Corner], spec: RosMapFile) -> list[Point]:
     x0, y0, yaw = spec.origin
     cos, sin = math.cos(yaw) * spec.resolution, math.sin(yaw) * spec.resolution
     return [(x0 + x * cos - y * sin, y0 + x * sin + y * cos) for x, y in corners]

@@ -30,11 +30,11 @@ class Circle(Spec):
 Polygon = Annotated[list[Point], Field(min_length=3, description="corners in order, each x and y")]
 
 
-def _shape(value: Any) -> str:
+def _find_shape(value: Any) -> str:
     return "circle" if isinstance(value, dict | Circle) else "polygon"
 
 
-Shape = Annotated[Annotated[Circle, Tag("circle")] | Annotated[Polygon, Tag("polygon")], Discriminator(_shape)]
+Shape = Annotated[Annotated[Circle, Tag("circle")] | Annotated[Polygon, Tag("polygon")], Discriminator(_find_shape)]
 """A mapping is a circle, a list is a polygon."""
 
 
@@ -52,14 +52,15 @@ class RosMap(Spec):
     ros_map: str = Field(description="YAML file of the map, beside the scene's file")
 
 
-def _walls(value: Any) -> str:
+def _find_walls(value: Any) -> str:
     if isinstance(value, str):
         return "file"
     return "map" if isinstance(value, RosMap) or (isinstance(value, dict) and "ros_map" in value) else "walls"
 
 
 AnyWalls = Annotated[
-    Annotated[Walls, Tag("walls")] | Annotated[RosMap, Tag("map")] | Annotated[str, Tag("file")], Discriminator(_walls)
+    Annotated[Walls, Tag("walls")] | Annotated[RosMap, Tag("map")] | Annotated[str, Tag("file")],
+    Discriminator(_find_walls),
 ]
 
 
@@ -96,7 +97,7 @@ class SceneSpec(Spec):
 
     @field_validator("robots")
     @classmethod
-    def _one_learner(cls, robots: list[Robot]) -> list[Robot]:
+    def _check_one_learner(cls, robots: list[Robot]) -> list[Robot]:
         learners = sum(robot.controller == "learner" for robot in robots)
         if learners != 1:
             raise ValueError(f"exactly one robot has the controller 'learner', not {learners}")
@@ -106,7 +107,7 @@ class SceneSpec(Spec):
         return robots
 
     @model_validator(mode="after")
-    def _scaled(self) -> SceneSpec:
+    def _check_scale(self) -> SceneSpec:
         if self.units == "percent" and self.side_m is None:
             raise ValueError("units are percent, so side_m is required")
         return self

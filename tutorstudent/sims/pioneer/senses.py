@@ -42,14 +42,14 @@ class RayCamera:
         self._camera = camera
         self._learner = layout.learner
         self._boxes = [box for box in layout.boxes if box.colour in BLOB_COLOURS]
-        self._movers = coloured(layout, BLOB_COLOURS)
+        self._movers = find_coloured(layout, BLOB_COLOURS)
 
     def look(self, poses: Sequence[Pose]) -> tuple[Blob, ...]:
         things = [*self._boxes, *(footprint(poses[i], colour) for i, colour in self._movers)]
         sight = self._camera.look(poses[self._learner], things)
         if not sight.views:
             return ()
-        return self._camera.blobs(sight, self._bullet.cast(sight.starts, sight.ends))
+        return self._camera.make_blobs(sight, self._bullet.cast(sight.starts, sight.ends))
 
 
 class Senses:
@@ -87,17 +87,17 @@ class Senses:
         self._past.append(poses)
         self._stalls.append(stalled)
 
-    def state(self) -> PioneerState:
+    def sense(self) -> PioneerState:
         """Return what is sensed now; at the start of a trial, where nothing older is known, what was there first."""
         poses = self._past[0]
         self._shapes.show(poses)
-        fractions = self._bullet.cast(*self._ring.rays([poses[self._learner]]))
+        fractions = self._bullet.cast(*self._ring.make_rays([poses[self._learner]]))
         ranges = self._noise.read(self._ring.ranges_m(fractions))[0]
         ranges.setflags(write=False)
         return PioneerState(sonar_m=ranges, blobs=self._camera.look(poses), stalled=self._stalls[0])
 
 
-def coloured(layout: Layout, colours: Sequence[str]) -> list[tuple[int, str]]:
+def find_coloured(layout: Layout, colours: Sequence[str]) -> list[tuple[int, str]]:
     """Return index and colour of the robots, the learner left out, that have one of the colours."""
     robots = enumerate(layout.robots)
     return [(i, robot.colour) for i, robot in robots if robot.colour in colours and i != layout.learner]

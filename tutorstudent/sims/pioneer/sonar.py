@@ -59,13 +59,13 @@ class SonarRing:
         self._range_m = range_m
         self._skip = np.array([_edge(*SONARS[i]) - INSET_M for i in sonars])
         self._span = range_m - self._skip
-        self._starts = _homogeneous(x + self._skip * np.cos(yaw), y + self._skip * np.sin(yaw))
-        self._ends = _homogeneous(x + range_m * np.cos(yaw), y + range_m * np.sin(yaw))
+        self._starts = _make_homogeneous(x + self._skip * np.cos(yaw), y + self._skip * np.sin(yaw))
+        self._ends = _make_homogeneous(x + range_m * np.cos(yaw), y + range_m * np.sin(yaw))
         self._frames = np.zeros((robots, 3, 3))
         self._frames[:, 2, 2] = HEIGHT_M
         self._from, self._to = np.zeros((2, robots, len(sonars), 3))
 
-    def rays(self, poses: Sequence[Pose]) -> tuple[Floats, Floats]:
+    def make_rays(self, poses: Sequence[Pose]) -> tuple[Floats, Floats]:
         """Return start and end points, each of shape (robots x sonars, 3); the arrays are used again."""
         for frame, (x, y, heading) in zip(self._frames, poses, strict=True):
             cos, sin = math.cos(heading), math.sin(heading)
@@ -118,7 +118,7 @@ class ReadNoise:
         return np.minimum(read, self._range_m, out=read)
 
 
-def _homogeneous(x: Floats, y: Floats) -> Floats:
+def _make_homogeneous(x: Floats, y: Floats) -> Floats:
     return np.column_stack((x, y, np.ones_like(x)))
 
 

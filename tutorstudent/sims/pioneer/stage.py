@@ -41,11 +41,13 @@ class Stage:
         self.walls = bullet.add_walls(layout.mesh)
         self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
         bullet.add_wall_picture(layout.picture, PAINT["grey"])
-        self.boxes = tuple(bullet.add_picture(_size(box), _pose(box), PAINT[box.colour]) for box in layout.boxes)
+        self.boxes = tuple(
+            bullet.add_picture(_make_size(box), _make_pose(box), PAINT[box.colour]) for box in layout.boxes
+        )
 
     def refuse_taken(self, poses: Sequence[Pose]) -> None:
         """Raise PipelineError if a robot would start in something solid."""
-        for index, taken in enumerate(self.taken(poses)):
+        for index, taken in enumerate(self.find_taken(poses)):
             if taken:
                 robot, pose = self._layout.robots[index], poses[index]
                 raise PipelineError(
@@ -53,17 +55,17 @@ class Stage:
                     f"heading {pose.heading_rad:.2f} rad: {taken}; move it."
                 )
 
-    def taken(self, poses: Sequence[Pose]) -> list[str]:
+    def find_taken(self, poses: Sequence[Pose]) -> list[str]:
         """Return what stands where each robot would start, empty where nothing does."""
         probe = KinematicDrive(self._bullet, self.walls, self.shapes, poses, 1.0)
         self.shapes.show(poses)
-        return [self._taken(probe, index, pose) for index, pose in enumerate(poses)]
+        return [self._find_taken(probe, index, pose) for index, pose in enumerate(poses)]
 
-    def _taken(self, probe: KinematicDrive, index: int, pose: Pose) -> str:
+    def _find_taken(self, probe: KinematicDrive, index: int, pose: Pose) -> str:
         here = (pose.x_m, pose.y_m)
-        if not inside(here, self._layout.arena):
+        if not is_inside(here, self._layout.arena):
             return "that is outside the arena"
-        if any(inside(here, solid) for solid in self._layout.islands):
+        if any(is_inside(here, solid) for solid in self._layout.islands):
             return "that is inside an island"
         touched = probe.touches(index)
         if touched == FREE:
@@ -71,18 +73,18 @@ class Stage:
         return "it touches a wall or a box" if touched == WALLS else f"it touches '{self._layout.robots[touched].name}'"
 
 
-def _size(box: Rectangle) -> tuple[float, float, float]:
+def _make_size(box: Rectangle) -> tuple[float, float, float]:
     return (2 * box.half_length_m, 2 * box.half_width_m, HEIGHT_M)
 
 
-def _pose(box: Rectangle) -> Pose:
+def _make_pose(box: Rectangle) -> Pose:
     return Pose(box.x_m, box.y_m, box.heading_rad)
 
 
-def inside(point: Point, outline: Sequence[Point]) -> bool:
+def is_inside(point: Point, outline: Sequence[Point]) -> bool:
     """Return whether a point lies inside a closed outline.
 
-    >>> inside((1, 1), [(0, 0), (2, 0), (2, 2), (0, 2)]), inside((3, 1), [(0, 0), (2, 0), (2, 2), (0, 2)])
+    >>> is_inside((1, 1), [(0, 0), (2, 0), (2, 2), (0, 2)]), is_inside((3, 1), [(0, 0), (2, 0), (2, 2), (0, 2)])
     (True, False)
     """
     x, y = point

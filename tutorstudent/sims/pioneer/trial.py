@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tutorstudent.core.roles.binding import stream
+from tutorstudent.core.roles.binding import make_stream
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.sims.pioneer.body import footprint
 from tutorstudent.sims.pioneer.bullet import Bullet
@@ -12,9 +12,9 @@ from tutorstudent.sims.pioneer.drives import make_drive
 from tutorstudent.sims.pioneer.events import Encounters, Tally
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.motion import FREE, Command
-from tutorstudent.sims.pioneer.senses import Senses, coloured
+from tutorstudent.sims.pioneer.senses import Senses, find_coloured
 from tutorstudent.sims.pioneer.stage import Stage
-from tutorstudent.sims.pioneer.starts import start_poses
+from tutorstudent.sims.pioneer.starts import find_start_poses
 from tutorstudent.sims.pioneer.types import PioneerState
 from tutorstudent.sims.pioneer.world_options import PioneerOptions
 
@@ -31,10 +31,10 @@ class Trial:
 
     def __init__(self, bullet: Bullet, layout: Layout, options: PioneerOptions, seed: int) -> None:
         stage = Stage(bullet, layout)
-        starts = start_poses(stage, layout, options.pose_jitter_m, seed)
+        starts = find_start_poses(stage, layout, options.pose_jitter_m, seed)
         self._layout = layout
         self._learner = layout.learner
-        self._red = [i for i, _ in coloured(layout, ["red"])]
+        self._red = [i for i, _ in find_coloured(layout, ["red"])]
         self._drive = make_drive(options, bullet, stage, starts)
         self._company = Company(bullet, stage.shapes, layout, options, seed)
         self._senses = Senses(
@@ -43,9 +43,9 @@ class Trial:
             layout.learner,
             make_camera(options, bullet, layout, stage),
             options,
-            stream(seed, f"pioneer.{layout.robots[layout.learner].name}.sonar"),
+            make_stream(seed, f"pioneer.{layout.robots[layout.learner].name}.sonar"),
         )
-        self._tally = Tally(self._learner, starts[self._learner], options.tick_s, self._encounters(options))
+        self._tally = Tally(self._learner, starts[self._learner], options.tick_s, self._make_encounters(options))
         self._commands: list[Command] = [(0.0, 0.0)] * len(starts)
         self._stopped = [FREE] * len(starts)
         self._senses.remember(tuple(starts), False)
@@ -59,11 +59,11 @@ class Trial:
         self._senses.remember(tuple(drive.poses), self._stopped[self._learner] != FREE)
         self._tally.add(drive.poses, self._stopped, command, [drive.poses[i] for i in self._red])
 
-    def state(self) -> PioneerState:
+    def sense(self) -> PioneerState:
         """Return what the learner senses now."""
-        return self._senses.state()
+        return self._senses.sense()
 
-    def events(self) -> dict[str, float]:
+    def take_events(self) -> dict[str, float]:
         """Return what happened since the last time."""
         return self._tally.take()
 
@@ -80,7 +80,7 @@ class Trial:
             poses=[(*pose, robot.colour) for pose, robot in robots],
         )
 
-    def _encounters(self, options: PioneerOptions) -> Encounters:
+    def _make_encounters(self, options: PioneerOptions) -> Encounters:
         poses = self._drive.poses
         boxes = [box for box in self._layout.boxes if box.colour == "red"]
         radii = (options.encounter_radius_m, options.encounter_release_m)

@@ -82,7 +82,7 @@ class BlobCamera:
                 self._add(sight, thing.colour, placed, (x, y, cos, sin))
         return sight
 
-    def blobs(self, sight: Sight, fractions: Sequence[float]) -> tuple[Blob, ...]:
+    def make_blobs(self, sight: Sight, fractions: Sequence[float]) -> tuple[Blob, ...]:
         """Return what is seen, nearest first, from the travelled fractions of the rays, 1 for a free one."""
         found: list[Blob] = []
         columns = self.columns
@@ -90,8 +90,8 @@ class BlobCamera:
             first = at * columns
             seen = [i for i in range(columns) if fractions[first + i] >= 1.0]
             if seen:
-                found.append(_blob(view, seen))
-        found.sort(key=_range)
+                found.append(_make_blob(view, seen))
+        found.sort(key=_read_range)
         return tuple(found)
 
     def _may_see(self, forward: float, left: float, radius: float) -> bool:
@@ -101,12 +101,12 @@ class BlobCamera:
         return in_range and abs(left) * self._cos - forward * self._sin <= radius
 
     def _add(self, sight: Sight, colour: str, thing: _Placed, camera: tuple[float, float, float, float]) -> None:
-        right, left = _extent(thing)
+        right, left = _find_extent(thing)
         right, left = max(right, -self._half_rad), min(left, self._half_rad)
         if right >= left:
             return
         column = (left - right) / self.columns
-        rays = [_ray(thing, right + (i + 0.5) * column, camera) for i in range(self.columns)]
+        rays = [_make_ray(thing, right + (i + 0.5) * column, camera) for i in range(self.columns)]
         surface_m = [ray[0] for ray in rays]
         if min(surface_m) <= self._range_m:
             sight.views.append(View(colour, right, column, surface_m))
@@ -114,7 +114,7 @@ class BlobCamera:
             sight.ends.extend(ray[2] for ray in rays)
 
 
-def _extent(thing: _Placed) -> tuple[float, float]:
+def _find_extent(thing: _Placed) -> tuple[float, float]:
     """Return the bearings of the thing's right and left edge; it is seen under less than half a turn."""
     x, y, cos, sin, length, width = thing
     ax, ay, bx, by = cos * length, sin * length, -sin * width, cos * width
@@ -129,11 +129,13 @@ def _extent(thing: _Placed) -> tuple[float, float]:
     return middle + right, middle + left
 
 
-def _ray(thing: _Placed, bearing: float, camera: tuple[float, float, float, float]) -> tuple[float, Point3, Point3]:
+def _make_ray(
+    thing: _Placed, bearing: float, camera: tuple[float, float, float, float]
+) -> tuple[float, Point3, Point3]:
     """Return the distance to the thing's surface, and a ray from the robot's body to just before it."""
     x, y, cos, sin = camera
     ahead, aside = math.cos(bearing), math.sin(bearing)
-    surface = _surface_m(thing, ahead, aside)
+    surface = _find_surface_m(thing, ahead, aside)
     near = FRONT_M / ahead if abs(aside) * FRONT_M <= ahead * WIDTH_M / 2 else WIDTH_M / 2 / abs(aside)
     near -= INSET_M
     far = max(surface - SHORT_M, near)
@@ -141,7 +143,7 @@ def _ray(thing: _Placed, bearing: float, camera: tuple[float, float, float, floa
     return surface, (x + near * dx, y + near * dy, HEIGHT_M), (x + far * dx, y + far * dy, HEIGHT_M)
 
 
-def _surface_m(thing: _Placed, ahead: float, aside: float) -> float:
+def _find_surface_m(thing: _Placed, ahead: float, aside: float) -> float:
     """Return the distance from the camera to the thing's surface along a direction that meets it."""
     x, y, cos, sin, length, width = thing
     along, across = ahead * cos + aside * sin, aside * cos - ahead * sin
@@ -153,10 +155,10 @@ def _surface_m(thing: _Placed, ahead: float, aside: float) -> float:
     return max(near, 0.0)
 
 
-def _blob(view: View, seen: Sequence[int]) -> Blob:
+def _make_blob(view: View, seen: Sequence[int]) -> Blob:
     middle = view.right_rad + (sum(seen) / len(seen) + 0.5) * view.column_rad
     return Blob(view.colour, middle, min([view.surface_m[i] for i in seen]), len(seen) * view.column_rad)
 
 
-def _range(blob: Blob) -> float:
+def _read_range(blob: Blob) -> float:
     return blob.range_m

@@ -65,7 +65,7 @@ class PioneerOptions(Options):
     gui: bool = Field(False, description="open pybullet's window")
 
     @model_validator(mode="after")
-    def _hysteresis(self) -> PioneerOptions:
+    def _check_hysteresis(self) -> PioneerOptions:
         if self.encounter_release_m < self.encounter_radius_m:
             raise ValueError("encounter_release_m is less than encounter_radius_m")
         return self

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.measures import WAY, Measure, harm, per_way
-from tutorstudent.study.numbers.pairs import Difference, Improvement, paired
+from tutorstudent.study.numbers.measures import WAY, Measure, find_harm_measure, measure_per_way
+from tutorstudent.study.numbers.pairs import Difference, Improvement, make_pairs
 from tutorstudent.study.numbers.significance import holm, sign_flip
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
@@ -50,47 +50,47 @@ class Contest(NamedTuple):
     against: str
 
 
-def families(study: Study) -> list[Family]:
+def make_families(study: Study) -> list[Family]:
     """Return what can be compared to the tutor alone and to the controls: what was found, and what it cost."""
-    rivals = {"Differences to the tutor alone": to_the_tutor, "Differences to the controls": to_the_controls}
+    rivals = {"Differences to the tutor alone": pair_with_tutor, "Differences to the controls": pair_with_controls}
     made: dict[str, list[Comparison]] = {}
     for title, contests in rivals.items():
         for environment in study.plan.environments:
             runs = [run for run in study.runs if run.environment == environment.name]
-            for about, measures in compared(environment, runs).items():
+            for about, measures in list_measures(environment, runs).items():
                 held = _compare_all(study, contests(environment), measures)
                 made.setdefault(f"{title}: {about}", []).extend(held)
-    return [Family(title, corrected(found)) for title, found in made.items() if found]
+    return [Family(title, correct(found)) for title, found in made.items() if found]
 
 
-def compared(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Measure]]:
+def list_measures(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Measure]]:
     """Return what is compared: counts, and the same by the way travelled, which driving faster does not raise."""
-    counters, cost = environment.counters(), harm(runs)
+    counters, cost = environment.counters(), find_harm_measure(runs)
     measures = {
         "what was found": [
             *(Measure(name, name, better=1) for name in counters),
-            *(per_way(name, name, better=1) for name in counters if name != WAY),
+            *(measure_per_way(name, name, better=1) for name in counters if name != WAY),
         ],
-        "what it cost": [cost, per_way(cost.title, cost.key, better=-1)],
+        "what it cost": [cost, measure_per_way(cost.title, cost.key, better=-1)],
     }
-    return {about: [item for item in found if item.known(runs)] for about, found in measures.items()}
+    return {about: [item for item in found if item.is_known(runs)] for about, found in measures.items()}
 
 
-def to_the_tutor(environment: Environment) -> list[Contest]:
+def pair_with_tutor(environment: Environment) -> list[Contest]:
     """Return every variant and control against the tutor alone; none where that does not run."""
     reference = environment.reference
     others = [variant for variant in environment.variants if variant.name != reference]
     return [Contest(environment.name, variant, reference) for variant in others if reference]
 
 
-def to_the_controls(environment: Environment) -> list[Contest]:
+def pair_with_controls(environment: Environment) -> list[Contest]:
     """Return every variant that is no control against every control; the tutor alone is neither."""
     there = [variant for variant in environment.variants if variant.name != environment.reference]
     controls = [variant.name for variant in there if variant.control]
     return [Contest(environment.name, item, name) for item in there if not item.control for name in controls]
 
 
-def corrected(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
+def correct(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
     """Return the comparisons as one family of tests."""
     ps = iter(holm([item.p for item in comparisons if item.p is not None]))
     return tuple(item if item.p is None else item._replace(p_holm=next(ps)) for item in comparisons)
@@ -102,8 +102,8 @@ def _compare_all(study: Study, contests: Sequence[Contest], measures: Sequence[M
 
 
 def _compare(study: Study, contest: Contest, measure: Measure) -> Comparison | None:
-    ours = measure.by_seed(study.of(contest.environment, contest.variant.name))
-    pairs = paired(ours, measure.by_seed(study.of(contest.environment, contest.against)))
+    ours = measure.read_by_seed(study.of(contest.environment, contest.variant.name))
+    pairs = make_pairs(ours, measure.read_by_seed(study.of(contest.environment, contest.against)))
     if pairs is None:
         return None
     return Comparison(
@@ -144,10 +144,10 @@ def write_differences(path: Path, families: Sequence[Family]) -> None:
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)
-        writer.writerows(_row(item) for family in families for item in family.comparisons)
+        writer.writerows(_make_row(item) for family in families for item in family.comparisons)
 
 
-def _row(item: Comparison) -> list[str | float | None]:
+def _make_row(item: Comparison) -> list[str | float | None]:
     return [
         item.environment,
         item.variant.name,

@@ -13,28 +13,28 @@ from tutorstudent.core.running.recorder import NO_LEVEL
 Curve = NDArray[np.float64]
 
 
-def entered(arrays: Arrays, situation: str) -> NDArray[np.bool_]:
+def find_entries(arrays: Arrays, situation: str) -> NDArray[np.bool_]:
     """Return in which decisions the tutor entered a situation, shape (decisions,).
 
     Counts as `tutorstudent.core.running.observers.Entries` does: a trial's end interrupts a stay.
     """
     codes = np.flatnonzero(arrays["situation_names"] == situation)
-    return begun(np.isin(arrays["situation"], codes), arrays)
+    return find_beginnings(np.isin(arrays["situation"], codes), arrays)
 
 
-def begun(inside: NDArray[np.bool_], arrays: Arrays) -> NDArray[np.bool_]:
+def find_beginnings(inside: NDArray[np.bool_], arrays: Arrays) -> NDArray[np.bool_]:
     """Return where something begins that is inside or not, shape (decisions,); it ends with a trial."""
     stayed = np.concatenate([[False], inside[:-1] & ~arrays["trial_ended"][:-1].astype(bool)])
     return np.asarray(inside & ~stayed, dtype=bool)
 
 
-def event(arrays: Arrays, name: str) -> Curve | None:
+def read_event(arrays: Arrays, name: str) -> Curve | None:
     """Return the values of one of the world's events, shape (decisions,); None if the world has no such event."""
     found = np.flatnonzero(arrays["event_names"] == name)
     return np.asarray(arrays["events"][:, found[0]], dtype=np.float64) if len(found) else None
 
 
-def counted(arrays: Arrays, name: str, situation: str) -> Curve | None:
+def read_count(arrays: Arrays, name: str, situation: str) -> Curve | None:
     """Return how much of something was counted in each decision, shape (decisions,).
 
     Args:
@@ -46,43 +46,43 @@ def counted(arrays: Arrays, name: str, situation: str) -> Curve | None:
         None if the world has no such event, or one that is less than nothing at times: its total would not only grow.
     """
     if situation:
-        return entered(arrays, situation).astype(np.float64)
-    values = event(arrays, name)
+        return find_entries(arrays, situation).astype(np.float64)
+    values = read_event(arrays, name)
     return values if values is not None and np.all(values >= 0) else None
 
 
-def places(arrays: Arrays) -> NDArray[np.float64] | None:
+def read_points(arrays: Arrays) -> NDArray[np.float64] | None:
     """Return where the learner was after each decision, shape (decisions, 2), metres; None if that is not known."""
-    x, y = event(arrays, "x_m"), event(arrays, "y_m")
+    x, y = read_event(arrays, "x_m"), read_event(arrays, "y_m")
     return None if x is None or y is None else np.column_stack([x, y])
 
 
-def harmed(arrays: Arrays) -> NDArray[np.bool_]:
+def find_harm(arrays: Arrays) -> NDArray[np.bool_]:
     """Return which decisions collided, shape (decisions,); violated ones where the world knows no collisions."""
-    collided = event(arrays, "collided")
+    collided = read_event(arrays, "collided")
     return np.asarray(arrays["violated"].any(axis=1) if collided is None else collided > 0, dtype=bool)
 
 
-def level(arrays: Arrays) -> Curve:
+def read_level(arrays: Arrays) -> Curve:
     """Return the amplification level of every decision, shape (decisions,)."""
     return np.asarray(arrays["resulting_level"], dtype=np.float64)
 
 
-def matched(arrays: Arrays) -> NDArray[np.bool_] | None:
+def find_matches(arrays: Arrays) -> NDArray[np.bool_] | None:
     """Return in which decisions the student named the tutor's kind, shape (decisions,); None if it never named any."""
     proposed = arrays["proposed_kind"]
     return np.asarray(proposed == arrays["kind"], dtype=bool) if np.any(proposed != NO_LEVEL) else None
 
 
-def total(happened: NDArray[np.bool_] | Curve) -> Curve:
+def sum_up(happened: NDArray[np.bool_] | Curve) -> Curve:
     """Return how often something had happened, or how much of it, after each decision, shape (decisions,)."""
     return np.cumsum(happened, dtype=np.float64)
 
 
-def thinned(length: int, points: int = 160) -> NDArray[Any]:
+def thin_out(length: int, points: int = 160) -> NDArray[Any]:
     """Return at most `points` evenly spread positions, the first and the last among them.
 
-    >>> thinned(5, 3).tolist()
+    >>> thin_out(5, 3).tolist()
     [0, 2, 4]
     """
     return np.unique(np.linspace(0, length - 1, min(length, points)).round().astype(int))
@@ -95,42 +95,42 @@ FEWEST = 5
 TENTHS = 10
 
 
-def edges(decisions: int) -> NDArray[np.int_]:
+def make_edges(decisions: int) -> NDArray[np.int_]:
     """Return where bins begin and end, shape (bins + 1,): as many thousands as a run has, or its tenths.
 
     What is left over of a thousand is spread over all bins, so that no bin is shorter than the others by more than one.
 
-    >>> edges(6_000).tolist(), edges(30).tolist()
+    >>> make_edges(6_000).tolist(), make_edges(30).tolist()
     ([0, 1000, 2000, 3000, 4000, 5000, 6000], [0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30])
     """
     bins = decisions // DECISIONS if decisions >= FEWEST * DECISIONS else min(TENTHS, decisions)
     return np.linspace(0, decisions, bins + 1).round().astype(int)
 
 
-def middles(decisions: int) -> Curve:
+def make_middles(decisions: int) -> Curve:
     """Return the middle of every bin, in decisions."""
-    ends = edges(decisions)
+    ends = make_edges(decisions)
     return np.asarray((ends[:-1] + ends[1:]) / 2, dtype=np.float64)
 
 
-def binned(values: NDArray[np.float64]) -> Curve:
+def average_bins(values: NDArray[np.float64]) -> Curve:
     """Return the mean in every bin of something that each decision has, shape (bins,).
 
-    >>> binned(np.array([0.0, 1.0, 1.0, 0.0])).tolist()
+    >>> average_bins(np.array([0.0, 1.0, 1.0, 0.0])).tolist()
     [0.0, 1.0, 1.0, 0.0]
     """
-    ends = edges(len(values))
+    ends = make_edges(len(values))
     sums = np.concatenate([[0.0], np.cumsum(values)])[ends]
     return np.asarray(np.diff(sums) / np.diff(ends), dtype=np.float64)
 
 
-def covers(decisions: int) -> str:
+def describe_point(decisions: int) -> str:
     """Return in words what a point of a learning curve covers.
 
-    >>> covers(10_000), covers(60)
+    >>> describe_point(10_000), describe_point(60)
     ('1,000 decisions', 'a tenth of the run, 6 decisions')
     """
-    bins = len(edges(decisions)) - 1
+    bins = len(make_edges(decisions)) - 1
     if bins == decisions:
         return "a decision"
     width = f"{round(decisions / bins):,} decisions"

@@ -50,7 +50,7 @@ class Gains(NamedTuple):
         return self.reference_mean > 0
 
 
-def gains(environment: Environment, traces: Traces) -> Gains | None:
+def find_gains(environment: Environment, traces: Traces) -> Gains | None:
     """Return what the runs gained; None where they have no goal or the tutor alone does not run."""
     alone = {run.seed: run.goal for run in traces.by_variant.get(environment.reference, []) if run.goal is not None}
     if not alone:
@@ -64,12 +64,12 @@ def gains(environment: Environment, traces: Traces) -> Gains | None:
         ]
         for name, found in traces.by_variant.items()
     }
-    rows = {name: _row(found) for name, found in outcomes.items() if found}
+    rows = {name: _make_row(found) for name, found in outcomes.items() if found}
     mean = sum(alone.values()) / len(alone)
     return Gains(traces.measures.goal, traces.measures.harm, environment.reference, mean, rows)
 
 
-def _row(outcomes: Sequence[Outcome]) -> Row:
+def _make_row(outcomes: Sequence[Outcome]) -> Row:
     array = np.array(outcomes)
     sd = array.std(axis=0, ddof=1) if len(outcomes) > 1 else np.zeros(2)
     return Row(tuple(outcomes), Outcome(*array.mean(axis=0).tolist()), Outcome(*sd.tolist()))

@@ -71,7 +71,7 @@ class Pairs(NamedTuple):
         return Improvement(share, wilson(share, len(signs)))
 
 
-def paired(ours: Mapping[int, float], theirs: Mapping[int, float]) -> Pairs | None:
+def make_pairs(ours: Mapping[int, float], theirs: Mapping[int, float]) -> Pairs | None:
     """Return the pairs of two rows.
 
     Args:

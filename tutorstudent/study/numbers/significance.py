@@ -34,7 +34,7 @@ def sign_flip(differences: tuple[float, ...]) -> float | None:
     if len(differences) < 2:
         return None
     if len(differences) <= EXACT_UP_TO:
-        return _exact(differences)
+        return _find_exact(differences)
     from scipy.stats import permutation_test  # an extra: the rest of the package does without
 
     found = permutation_test(
@@ -48,7 +48,7 @@ def sign_flip(differences: tuple[float, ...]) -> float | None:
     return float(found.pvalue)
 
 
-def _exact(differences: Sequence[float]) -> float:
+def _find_exact(differences: Sequence[float]) -> float:
     # scipy goes through all signs too, in Python: half a second for 16 pairs, against one millisecond.
     sums = np.zeros(1)
     for difference in differences:
@@ -76,12 +76,12 @@ def holm(ps: Sequence[float]) -> list[float]:
     return corrected
 
 
-def fewest_pairs(tests: int) -> int:
+def count_fewest_pairs(tests: int) -> int:
     """Return how many pairs it takes for the smallest p of a family to be able to get below `LEVEL` after Holm.
 
     With n pairs the smallest p is 2 / 2**n: all differences with one sign.
 
-    >>> fewest_pairs(1), fewest_pairs(32)
+    >>> count_fewest_pairs(1), count_fewest_pairs(32)
     (6, 11)
     """
     return math.ceil(math.log2(2 * tests / LEVEL))

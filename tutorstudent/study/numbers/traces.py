@@ -13,15 +13,15 @@ from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.study.numbers.curves import (
     DECISIONS,
     Curve,
-    binned,
-    counted,
-    event,
-    harmed,
-    level,
-    matched,
-    places,
-    thinned,
-    total,
+    average_bins,
+    find_harm,
+    find_matches,
+    read_count,
+    read_event,
+    read_level,
+    read_points,
+    sum_up,
+    thin_out,
 )
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Run, Study
@@ -50,7 +50,7 @@ class Measures(NamedTuple):
 
     def rates(self) -> list[str]:
         """Return the titles of what is shown over the decisions as a rate."""
-        return [*(_rate(name) for name in self.counters), self.harm_rate(), LEVEL, MATCH]
+        return [*(_name_rate(name) for name in self.counters), self.harm_rate(), LEVEL, MATCH]
 
 
 class Trace(NamedTuple):
@@ -61,9 +61,9 @@ class Trace(NamedTuple):
     goal: float | None
     """What it came to; None if it does not count that."""
     totals: dict[str, Curve]
-    """By title: how often it had happened, at `curves.thinned` decisions; the last is the end."""
+    """By title: how often it had happened, at `curves.thin_out` decisions; the last is the end."""
     rates: dict[str, Curve]
-    """By title, a value for each of `curves.edges`; what the run does not have is missing."""
+    """By title, a value for each of `curves.make_edges`; what the run does not have is missing."""
     harm_places: NDArray[np.float64] | None
     """Where each harmed decision ended, shape (harmed, 2), metres; None if the world does not say."""
     contact_places: NDArray[np.float64] | None
@@ -105,46 +105,49 @@ def read_traces(study: Study, environment: Environment) -> Traces:
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
     every = [run for found in runs.values() for run in found]
     counters = {name: into for name, into in environment.counters().items() if into or _adds_up(name, every)}
-    measures = Measures(counters, _harm(every), study.plan.goal)
+    measures = Measures(counters, _name_harm(every), study.plan.goal)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
         by_variant[name] = []
         for run in found:
             arrays = run.arrays()
-            by_variant[name].append(_trace(run, arrays, measures))
+            by_variant[name].append(_make_trace(run, arrays, measures))
             if run.seed == study.plan.seeds[0]:
                 firsts[name] = arrays
     return Traces(measures, by_variant, firsts)
 
 
-def _harm(runs: Sequence[Run]) -> str:
+def _name_harm(runs: Sequence[Run]) -> str:
     return "collided" if any("collided" in run.summary for run in runs) else "violated"
 
 
 def _adds_up(name: str, runs: Sequence[Run]) -> bool:
     """Return whether a number of the summaries is the sum of an event, and not its last, largest or mean value."""
-    totals = ((run.summary[name], counted(run.arrays(), name, "")) for run in runs if name in run.summary)
+    totals = ((run.summary[name], read_count(run.arrays(), name, "")) for run in runs if name in run.summary)
     summed, values = next(totals, (0.0, None))
     return values is not None and isclose(summed, float(values.sum()), rel_tol=1e-6)
 
 
-def _rate(name: str) -> str:
+def _name_rate(name: str) -> str:
     return f"{name} per {DECISIONS:,} decisions"
 
 
-def _trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
-    harm = harmed(arrays)
-    found = {name: counted(arrays, name, situation) for name, situation in measures.counters.items()}
+def _make_trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
+    harm = find_harm(arrays)
+    found = {name: read_count(arrays, name, situation) for name, situation in measures.counters.items()}
     happened = {name: values for name, values in found.items() if values is not None}
-    at = thinned(len(harm))
-    totals = {name: total(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
-    rates = {_rate(name): DECISIONS * binned(values) for name, values in happened.items()}
-    rates |= {measures.harm_rate(): DECISIONS * binned(harm.astype(float)), LEVEL: binned(level(arrays))}
-    match = matched(arrays)
+    at = thin_out(len(harm))
+    totals = {name: sum_up(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
+    rates = {_name_rate(name): DECISIONS * average_bins(values) for name, values in happened.items()}
+    rates |= {
+        measures.harm_rate(): DECISIONS * average_bins(harm.astype(float)),
+        LEVEL: average_bins(read_level(arrays)),
+    }
+    match = find_matches(arrays)
     if match is not None:
-        rates[MATCH] = 100 * binned(match.astype(float))
-    where, contacts = places(arrays), event(arrays, "contacts")
+        rates[MATCH] = 100 * average_bins(match.astype(float))
+    where, contacts = read_points(arrays), read_event(arrays, "contacts")
     return Trace(
         run.seed,
         len(harm),

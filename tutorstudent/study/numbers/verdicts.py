@@ -7,8 +7,8 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from tutorstudent.study.numbers.intervals import Interval
-from tutorstudent.study.numbers.measures import DECISIONS, PER, Measure, harm, per_decisions
-from tutorstudent.study.numbers.pairs import Difference, paired
+from tutorstudent.study.numbers.measures import DECISIONS, PER, Measure, find_harm_measure, measure_per_decisions
+from tutorstudent.study.numbers.pairs import Difference, make_pairs
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 
@@ -42,13 +42,13 @@ class Judgement(NamedTuple):
     verdict: Verdict
 
 
-def harm_rate(study: Study, environment: Environment) -> Measure:
+def make_harm_rate(study: Study, environment: Environment) -> Measure:
     """Return what is judged."""
-    counted = harm([run for run in study.runs if run.environment == environment.name])
-    return per_decisions(counted.title, counted.key, better=-1)
+    counted = find_harm_measure([run for run in study.runs if run.environment == environment.name])
+    return measure_per_decisions(counted.title, counted.key, better=-1)
 
 
-def judgements(study: Study, environment: Environment, margin: float = MARGIN) -> list[Judgement]:
+def judge_variants(study: Study, environment: Environment, margin: float = MARGIN) -> list[Judgement]:
     """Return whether each variant that has runs does more harm than the tutor alone; none without a tutor alone.
 
     Args:
@@ -58,28 +58,30 @@ def judgements(study: Study, environment: Environment, margin: float = MARGIN) -
     """
     if not environment.reference:
         return []
-    measure = harm_rate(study, environment)
+    measure = make_harm_rate(study, environment)
     alone = study.of(environment.name, environment.reference)
     others = [variant for variant in environment.variants if variant.name != environment.reference]
-    made = [_judgement(variant, study.of(environment.name, variant.name), alone, measure, margin) for variant in others]
+    made = [_judge(variant, study.of(environment.name, variant.name), alone, measure, margin) for variant in others]
     return [item for item in made if item is not None]
 
 
-def _judgement(
+def _judge(
     variant: Variant, runs: Sequence[Run], alone: Sequence[Run], measure: Measure, margin: float
 ) -> Judgement | None:
-    ours = measure.by_seed(runs)
+    ours = measure.read_by_seed(runs)
     if not ours:
         return None
-    mean, pairs = sum(ours.values()) / len(ours), paired(ours, measure.by_seed(alone))
+    mean, pairs = sum(ours.values()) / len(ours), make_pairs(ours, measure.read_by_seed(alone))
     if pairs is None:
         return Judgement(variant.name, variant.control, mean, None, Verdict.UNDECIDED)
     difference = pairs.difference(ONE_SIDED)
     decisions = sum(run.summary[DECISIONS] for run in runs if run.seed in pairs.seeds)
-    return Judgement(variant.name, variant.control, mean, difference, verdict(difference.interval, decisions, margin))
+    return Judgement(
+        variant.name, variant.control, mean, difference, reach_verdict(difference.interval, decisions, margin)
+    )
 
 
-def verdict(interval: Interval | None, decisions: float, margin: float = MARGIN) -> Verdict:
+def reach_verdict(interval: Interval | None, decisions: float, margin: float = MARGIN) -> Verdict:
     """Return what an interval says about a margin.
 
     Args:
@@ -87,7 +89,7 @@ def verdict(interval: Interval | None, decisions: float, margin: float = MARGIN)
         decisions: How many were seen; with too few to see a rate of the margin at all nothing is decided.
         margin: In the unit of the interval, harmed decisions in 10,000.
 
-    >>> str(verdict(Interval(-2.0, 4.0), 30_000)), str(verdict(Interval(8.0, 12.0), 30_000))
+    >>> str(reach_verdict(Interval(-2.0, 4.0), 30_000)), str(reach_verdict(Interval(8.0, 12.0), 30_000))
     ('not worse', 'undecided')
     """
     if interval is None or decisions * margin < RULE_OF_THREE * PER:

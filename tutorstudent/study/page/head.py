@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from html import escape
 
-from tutorstudent.study.page.remarks import goal_line, remarks
+from tutorstudent.study.page.remarks import describe_goal, make_remarks
 from tutorstudent.study.pictures.palette import Palette
 from tutorstudent.study.plans.plan import Variant
 from tutorstudent.study.runs.results import Failure, Study
@@ -18,22 +18,22 @@ NO_CONTROLS = (
 )
 
 
-def head_html(study: Study, title: str, palette: Palette) -> str:
+def make_head(study: Study, title: str, palette: Palette) -> str:
     """Return the head of the page."""
     plan = study.plan
     links = " ".join(f'<a href="#{escape(item.name)}">{escape(item.name)}</a>' for item in plan.environments)
     references = {item.reference for item in plan.environments}
-    variants = "".join(_variant(variant, references, palette) for variant in plan.variants())
+    variants = "".join(_describe_variant(variant, references, palette) for variant in plan.variants())
     claim = CONTROLS if any(variant.control for variant in plan.variants()) else NO_CONTROLS
-    lead = f"{_size(study)}{_spent(study)} {goal_line(study)}"
+    lead = f"{_describe_size(study)}{_describe_spent(study)} {describe_goal(study)}"
     return (
         f'<h1>{escape(title)}</h1>\n<p class="lead">{escape(lead)}</p>\n'
-        f'<p class="claim">{escape(claim)}</p>\n{_remarks(study)}{_failures(study.failures)}'
+        f'<p class="claim">{escape(claim)}</p>\n{_make_remarks(study)}{_make_failures(study.failures)}'
         f'<ul class="variants">{variants}</ul>\n<p class="note">{escape(INTERVALS)}</p>\n<nav>{links}</nav>'
     )
 
 
-def _size(study: Study) -> str:
+def _describe_size(study: Study) -> str:
     plan = study.plan
     seeds = f"seed {plan.seeds[0]}" if len(plan.seeds) == 1 else f"seeds {plan.seeds[0]} to {plan.seeds[-1]}"
     places = len(plan.environments)
@@ -44,7 +44,7 @@ def _size(study: Study) -> str:
     )
 
 
-def _spent(study: Study) -> str:
+def _describe_spent(study: Study) -> str:
     """Return what the runs took; nothing where that is not known of every one."""
     spent = study.spent()
     if not study.runs or spent.wall_s == 0 or any(math.isnan(run.spent().cpu_s) for run in study.runs):
@@ -57,19 +57,19 @@ def _spent(study: Study) -> str:
     )
 
 
-def _variant(variant: Variant, references: set[str], palette: Palette) -> str:
-    swatch = f'<i class="swatch" style="background:{palette.css(variant.name)}"></i>'
+def _describe_variant(variant: Variant, references: set[str], palette: Palette) -> str:
+    swatch = f'<i class="swatch" style="background:{palette.find_css(variant.name)}"></i>'
     name = f"<em>{escape(variant.name)}</em>" if variant.control else f"<strong>{escape(variant.name)}</strong>"
     alone = " The tutor alone, to which differences are taken." if variant.name in references else ""
     return f"<li>{swatch}{name}: {escape(variant.about)}{alone}</li>"
 
 
-def _remarks(study: Study) -> str:
-    lines = "".join(f"<p>{escape(text)}</p>" for text in remarks(study))
+def _make_remarks(study: Study) -> str:
+    lines = "".join(f"<p>{escape(text)}</p>" for text in make_remarks(study))
     return f'<div class="remark">{lines}</div>\n' if lines else ""
 
 
-def _failures(failures: Iterable[Failure]) -> str:
+def _make_failures(failures: Iterable[Failure]) -> str:
     lines = [
         f"<li>{escape(item.environment)}, {escape(item.variant)}, seed {item.seed}: {escape(item.problem)}</li>"
         for item in failures

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tutorstudent.core.running.observers import Tally
-from tutorstudent.core.words.errors import listing
+from tutorstudent.core.words.errors import list_names
 from tutorstudent.study.numbers.measures import Measure
 from tutorstudent.study.plans.constant_level import BEST
 from tutorstudent.study.plans.controls import CONSTANT
@@ -21,54 +21,59 @@ CONDUCT = {*Tally().summary(), "match_rate", "amplified_share"}
 """Numbers of every run that nobody drives for."""
 
 
-def remarks(study: Study) -> list[str]:
+def make_remarks(study: Study) -> list[str]:
     """Return sentences about what is not there and what tells nothing; none of a study where all is well."""
-    return [*_about_waiting(study), *_about_the_goal(study), *_about_the_constant(study), *_about_sameness(study)]
+    return [
+        *_remark_on_waiting(study),
+        *_remark_on_goal(study),
+        *_remark_on_constant(study),
+        *_remark_on_sameness(study),
+    ]
 
 
-def goal_line(study: Study) -> str:
+def describe_goal(study: Study) -> str:
     """Return what a run is to have most of as a sentence; empty where nothing counts it."""
     goal = study.plan.goal
     return f"The goal, of which more is better: {goal} (--goal names another)." if goal else ""
 
 
-def resume_command(folder: Path) -> str:
+def make_resume_command(folder: Path) -> str:
     """Return what goes on with the study in a folder, as it is typed.
 
-    >>> resume_command(Path("my study"))
+    >>> make_resume_command(Path("my study"))
     "tutorstudent compare --resume --out 'my study'"
     """
     return f"tutorstudent compare --resume --out {shlex.quote(str(folder))}"
 
 
-def _about_waiting(study: Study) -> Iterator[str]:
+def _remark_on_waiting(study: Study) -> Iterator[str]:
     if waiting := len(study.waiting):
         runs = f"{waiting} run{' was' if waiting == 1 else 's were'}"
-        yield f"{runs} not run yet; go on with: {resume_command(study.folder)}"
+        yield f"{runs} not run yet; go on with: {make_resume_command(study.folder)}"
 
 
-def _about_the_goal(study: Study) -> Iterator[str]:
+def _remark_on_goal(study: Study) -> Iterator[str]:
     if study.plan.goal:
         return
     known = {key for run in study.runs for key in run.summary if key not in CONDUCT and not key.startswith(UNBOUNDED)}
-    named = f"name what does with --goal (there are: {listing(known)}), or " if known else ""
+    named = f"name what does with --goal (there are: {list_names(known)}), or " if known else ""
     yield f"Nothing counts what the tutors achieve; {named}{OWN_OBSERVER}."
 
 
-def _about_the_constant(study: Study) -> Iterator[str]:
+def _remark_on_constant(study: Study) -> Iterator[str]:
     if CONSTANT in [variant.name for variant in study.plan.variants() if variant.control]:
         why = "as was asked for" if study.plan.goal else "since nothing is counted that could be most"
         yield f"No constant level was searched for, {why}: {CONSTANT} stands where {BEST} would."
 
 
-def _about_sameness(study: Study) -> Iterator[str]:
+def _remark_on_sameness(study: Study) -> Iterator[str]:
     for environment in study.plan.environments:
         if study.search:
-            yield from _about_levels(study, environment)
-        yield from _about_runs(study, environment)
+            yield from _remark_on_levels(study, environment)
+        yield from _remark_on_runs(study, environment)
 
 
-def _about_levels(study: Study, environment: Environment) -> Iterator[str]:
+def _remark_on_levels(study: Study, environment: Environment) -> Iterator[str]:
     chosen = study.search and study.search.chosen(environment.name)
     if study.search and chosen and study.search.is_indifferent(environment.name):
         yield (
@@ -78,9 +83,9 @@ def _about_levels(study: Study, environment: Environment) -> Iterator[str]:
         )
 
 
-def _about_runs(study: Study, environment: Environment) -> Iterator[str]:
+def _remark_on_runs(study: Study, environment: Environment) -> Iterator[str]:
     goal, runs = study.plan.goal, [run for run in study.runs if run.environment == environment.name]
-    values = {value for run in runs if (value := Measure(goal, goal).of(run.summary)) is not None}
+    values = {value for run in runs if (value := Measure(goal, goal).read(run.summary)) is not None}
     if len(values) != 1 or len(runs) < 2:
         return
     situation = environment.counters().get(goal)

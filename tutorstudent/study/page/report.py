@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from tutorstudent.study.numbers.comparisons import families, write_differences
-from tutorstudent.study.page.page import page
-from tutorstudent.study.page.remarks import goal_line, remarks
+from tutorstudent.study.numbers.comparisons import make_families, write_differences
+from tutorstudent.study.page.page import make_page
+from tutorstudent.study.page.remarks import describe_goal, make_remarks
 from tutorstudent.study.plans.planfile import load_plan
 from tutorstudent.study.runs.results import Study, read_study, write_csv
-from tutorstudent.study.tables.latex import document
-from tutorstudent.study.tables.media import markdown
+from tutorstudent.study.tables.latex import make_document
+from tutorstudent.study.tables.media import make_markdown
 from tutorstudent.study.tables.table import Table
-from tutorstudent.study.tables.tables import CONTROLS, INTERVALS, tables
+from tutorstudent.study.tables.tables import CONTROLS, INTERVALS, make_tables
 
 CSV = "results.csv"
 DIFFERENCES = "differences.csv"
@@ -32,17 +32,17 @@ def write_report(folder: Path) -> Study:
     """
     study = read_study(folder, load_plan(folder))
     write_csv(folder / CSV, study.runs)
-    write_differences(folder / DIFFERENCES, families(study))
-    made = {environment.name: tables(study, environment) for environment in study.plan.environments}
-    (folder / MARKDOWN).write_text(_markdown(study, made), encoding="utf-8")
-    (folder / LATEX).write_text(document(made.items()), encoding="utf-8")
-    (folder / PAGE).write_text(page(study), encoding="utf-8")
+    write_differences(folder / DIFFERENCES, make_families(study))
+    made = {environment.name: make_tables(study, environment) for environment in study.plan.environments}
+    (folder / MARKDOWN).write_text(_make_markdown(study, made), encoding="utf-8")
+    (folder / LATEX).write_text(make_document(made.items()), encoding="utf-8")
+    (folder / PAGE).write_text(make_page(study), encoding="utf-8")
     return study
 
 
-def _markdown(study: Study, made: Mapping[str, Iterable[Table]]) -> str:
-    said = [goal_line(study), *(f"> {text}" for text in remarks(study))]
+def _make_markdown(study: Study, made: Mapping[str, Iterable[Table]]) -> str:
+    said = [describe_goal(study), *(f"> {text}" for text in make_remarks(study))]
     parts = [*filter(None, said), CONTROLS, INTERVALS]
     for title, found in made.items():
-        parts += [f"## {title}", *map(markdown, found)]
+        parts += [f"## {title}", *map(make_markdown, found)]
     return "\n\n".join(parts)

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from tutorstudent.study.numbers.curves import Curve
-from tutorstudent.study.pictures.scales import LONG_LABEL, is_long_tailed, long_share, long_ticks
+from tutorstudent.study.pictures.scales import LONG_LABEL, find_long_share, is_long_tailed, make_long_ticks
 
 WIDTH_PX, HEIGHT_PX, LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 240, 170, 28, 10, 20, 20
 LABEL_PX = 12
@@ -30,7 +30,7 @@ class Axis(NamedTuple):
     label: str = ""
 
 
-def across(decisions: float) -> Axis:
+def make_decision_axis(decisions: float) -> Axis:
     """Return the scale of decisions."""
     ticks = MaxNLocator(4, integer=True, steps=STEPS).tick_values(0, decisions)
     shown = tuple(
@@ -39,26 +39,31 @@ def across(decisions: float) -> Axis:
     return Axis(decisions, shown, lambda values: values / decisions)
 
 
-def upward(highest: Sequence[float]) -> Axis:
+def make_value_axis(highest: Sequence[float]) -> Axis:
     """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above."""
     top = max([1.0, *highest])
     limit = top * 1.04
     if is_long_tailed(highest):
-        return Axis(limit, _written(long_ticks(top, (5, 10))), lambda values: long_share(values, limit), LONG_LABEL)
+        return Axis(
+            limit,
+            _make_ticks(make_long_ticks(top, (5, 10))),
+            lambda values: find_long_share(values, limit),
+            LONG_LABEL,
+        )
     ticks = MaxNLocator(5, integer=True, steps=STEPS).tick_values(0, top)
-    return Axis(limit, _written([tick for tick in ticks if 0 <= tick <= limit]), lambda values: values / limit)
+    return Axis(limit, _make_ticks([tick for tick in ticks if 0 <= tick <= limit]), lambda values: values / limit)
 
 
-def _written(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
+def _make_ticks(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
     return tuple((float(tick), f"{tick:g}") for tick in ticks)
 
 
 class Chart:
     """Curves over decisions. What they look like stands in the page's style sheet.
 
-    >>> chart = Chart(across(10.0), upward([4.0]))
+    >>> chart = Chart(make_decision_axis(10.0), make_value_axis([4.0]))
     >>> chart.add_curve(np.array([0.0, 10.0]), np.array([0.0, 4.0]), "run", "red")
-    >>> '<path class="run" style="stroke:red" d="M28 150L230 25"/>' in chart.svg("2A", "red", "What it shows")
+    >>> '<path class="run" style="stroke:red" d="M28 150L230 25"/>' in chart.make_svg("2A", "red", "What it shows")
     True
     """
 
@@ -73,15 +78,15 @@ class Chart:
         points = "L".join(f"{x:.4g} {y:.4g}" for x, y in zip(xs, ys, strict=True))
         self._curves.append(f'<path class="{kind}" style="stroke:{colour}" d="M{points}"/>')
 
-    def svg(self, title: str, colour: str, alt: str) -> str:
+    def make_svg(self, title: str, colour: str, alt: str) -> str:
         """Return the chart as an element; `alt` says what it shows."""
         return (
             f'<svg role="img" aria-label="{escape(alt)}" class="chart" viewBox="0 0 {WIDTH_PX} {HEIGHT_PX}">'
             f'<text class="title" style="fill:{colour}" x="{self._left_px}" y="14">{escape(title)}</text>'
-            f"{self._scales()}{''.join(self._curves)}</svg>"
+            f"{self._draw_scales()}{''.join(self._curves)}</svg>"
         )
 
-    def _scales(self) -> str:
+    def _draw_scales(self) -> str:
         bottom, right = HEIGHT_PX - BOTTOM_PX, WIDTH_PX - RIGHT_PX
         xs = self._x(np.array([tick for tick, _ in self._along.ticks]))
         ys = self._y(np.array([tick for tick, _ in self._up.ticks]))
@@ -96,10 +101,10 @@ class Chart:
             + "".join(
                 f'<text class="beside" x="{self._left_px - 5}" y="{y + 3:.4g}">{text}</text>' for y, (_, text) in beside
             )
-            + self._explanation()
+            + self._make_explanation()
         )
 
-    def _explanation(self) -> str:
+    def _make_explanation(self) -> str:
         middle = (TOP_PX + HEIGHT_PX - BOTTOM_PX) / 2
         text = f'<text class="along" transform="translate(9 {middle:g}) rotate(-90)">{escape(self._up.label)}</text>'
         return text if self._up.label else ""

@@ -10,10 +10,10 @@ from PIL import Image, ImageColor
 
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.curves import event
-from tutorstudent.study.pictures.maps import level_scale
+from tutorstudent.study.numbers.curves import read_event
+from tutorstudent.study.pictures.maps import list_level_colours
 from tutorstudent.study.pictures.palette import FLOOR, HARM, MAP_COLOURS, WALL
-from tutorstudent.study.pictures.shots import frames, shot
+from tutorstudent.study.pictures.shots import draw_frames, make_shot
 
 DECISIONS = 1_200
 """A film shows this many decisions, the last of the run; all of a shorter run. Choice: see docs/fidelity.md."""
@@ -38,7 +38,7 @@ class Film(NamedTuple):
     """Simulated seconds in one of the film; None if the world has no clock."""
 
 
-def film(title: str, sketch: Sketch, arrays: Arrays, counters: Mapping[str, str], harm: str) -> Film | None:
+def make_film(title: str, sketch: Sketch, arrays: Arrays, counters: Mapping[str, str], harm: str) -> Film | None:
     """Return a film of the end of a run; None if the world does not say where the robot is.
 
     Args:
@@ -48,29 +48,29 @@ def film(title: str, sketch: Sketch, arrays: Arrays, counters: Mapping[str, str]
         counters: What is counted, and the situation whose entries that is.
         harm: What harmed decisions are called.
     """
-    shown = shot(title, arrays, counters, harm)
+    shown = make_shot(title, arrays, counters, harm)
     if shown is None:
         return None
     last = len(shown.levels)
     first = max(0, last - DECISIONS)
-    taken = _in_few_colours(list(frames(shown, sketch, first, FRAMES)))
-    clock = event(arrays, "time_s")
+    taken = _reduce_colours(list(draw_frames(shown, sketch, first, FRAMES)))
+    clock = read_event(arrays, "time_s")
     duration_s = len(taken) * FRAME_MS / 1000
     time_lapse = None if clock is None else float(clock[first:].sum()) / duration_s
-    return Film(_gif(taken), _png(taken[-1]), taken[-1].size, first + 1, last, duration_s, time_lapse)
+    return Film(_make_gif(taken), _make_png(taken[-1]), taken[-1].size, first + 1, last, duration_s, time_lapse)
 
 
-def _in_few_colours(taken: Sequence[Image.Image]) -> list[Image.Image]:
+def _reduce_colours(taken: Sequence[Image.Image]) -> list[Image.Image]:
     # With one palette for all frames, only what changes has to be stored.
     palette = Image.new("P", (1, 1))
-    palette.putpalette([part for colour in _palette() for part in colour])
+    palette.putpalette([part for colour in _make_palette() for part in colour])
     return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in taken]
 
 
-def _palette() -> list[tuple[int, ...]]:
+def _make_palette() -> list[tuple[int, ...]]:
     """Return every colour that a film is drawn with, and what smooth edges make of it on the floor."""
     floor = ImageColor.getrgb(FLOOR)
-    inks = [ImageColor.getrgb(colour) for colour in (*level_scale(), *MAP_COLOURS.values(), HARM, WALL, "black")]
+    inks = [ImageColor.getrgb(colour) for colour in (*list_level_colours(), *MAP_COLOURS.values(), HARM, WALL, "black")]
     mixed = [
         tuple(round(share * a + (1 - share) * b) for a, b in zip(ink, floor, strict=True))
         for ink in inks
@@ -79,14 +79,14 @@ def _palette() -> list[tuple[int, ...]]:
     return [ImageColor.getrgb("white"), floor, *mixed]
 
 
-def _gif(taken: Sequence[Image.Image]) -> bytes:
+def _make_gif(taken: Sequence[Image.Image]) -> bytes:
     buffer = io.BytesIO()
     durations = [*[FRAME_MS] * (len(taken) - 1), LAST_MS]
     taken[0].save(buffer, "GIF", save_all=True, append_images=taken[1:], duration=durations, loop=0, disposal=1)
     return buffer.getvalue()
 
 
-def _png(frame: Image.Image) -> bytes:
+def _make_png(frame: Image.Image) -> bytes:
     buffer = io.BytesIO()
     frame.save(buffer, "PNG", optimize=True)
     return buffer.getvalue()

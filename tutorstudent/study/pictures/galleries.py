@@ -8,13 +8,13 @@ from html import escape
 from typing import NamedTuple
 
 from tutorstudent.core.roles.world import Sketch
-from tutorstudent.study.numbers.curves import covers, middles, thinned
+from tutorstudent.study.numbers.curves import describe_point, make_middles, thin_out
 from tutorstudent.study.numbers.traces import MATCH, Traces
-from tutorstudent.study.pictures.film import Film, film
-from tutorstudent.study.pictures.harms import harm_map
-from tutorstudent.study.pictures.maps import level_scale, way_map
+from tutorstudent.study.pictures.film import Film, make_film
+from tutorstudent.study.pictures.harms import draw_harm_map
+from tutorstudent.study.pictures.maps import draw_way_map, list_level_colours
 from tutorstudent.study.pictures.palette import Palette
-from tutorstudent.study.pictures.panels import Bundle, panels
+from tutorstudent.study.pictures.panels import Bundle, draw_panels
 from tutorstudent.study.plans.plan import Environment
 
 
@@ -30,29 +30,35 @@ class Gallery(NamedTuple):
     """HTML elements."""
 
 
-def gallery_html(gallery: Gallery) -> str:
+def make_gallery(gallery: Gallery) -> str:
     """Return a gallery with its heading."""
     shown = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
     note = f'<p class="note">{gallery.note}</p>'
     return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'
 
 
-def rate_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
+def make_rate_galleries(
+    environment: Environment, traces: Traces, decisions: int, palette: Palette
+) -> Iterable[Gallery]:
     """Yield a gallery for each rate: the counters, the harm, the level, and how often the student named the kind."""
-    covered = covers(decisions)
+    covered = describe_point(decisions)
     for title in traces.measures.rates():
-        bundle = Bundle(title, middles(decisions), f"In the last {covered}", traces.rates(title), environment.reference)
+        bundle = Bundle(
+            title, make_middles(decisions), f"In the last {covered}", traces.rates(title), environment.reference
+        )
         about = f" {escape(NAMING)}" if title == MATCH else ""
-        note = f"Each point covers {covered}. {_lines(environment, bundle)}{about}"
-        yield Gallery(_capital(title), note, "film", panels(bundle, palette))
+        note = f"Each point covers {covered}. {_make_lines(environment, bundle)}{about}"
+        yield Gallery(_capitalise(title), note, "film", draw_panels(bundle, palette))
 
 
-def total_galleries(environment: Environment, traces: Traces, decisions: int, palette: Palette) -> Iterable[Gallery]:
+def make_total_galleries(
+    environment: Environment, traces: Traces, decisions: int, palette: Palette
+) -> Iterable[Gallery]:
     """Yield a gallery for each thing that is counted."""
-    at = thinned(decisions) + 1.0
+    at = thin_out(decisions) + 1.0
     for title in (*traces.measures.counters, traces.measures.harm_total()):
         bundle = Bundle(title, at, "At the end of each run", traces.totals(title), environment.reference)
-        yield Gallery(_capital(title), _lines(environment, bundle), "film", panels(bundle, palette))
+        yield Gallery(_capitalise(title), _make_lines(environment, bundle), "film", draw_panels(bundle, palette))
 
 
 NAMING = (
@@ -60,23 +66,23 @@ NAMING = (
 )
 
 
-def _lines(environment: Environment, bundle: Bundle) -> str:
+def _make_lines(environment: Environment, bundle: Bundle) -> str:
     known = environment.reference and bundle.curves.get(environment.reference)
     dashed = f" Dashed: the mean of {escape(environment.reference)}." if known else ""
     return f"Thin: every run. Thick: their mean.{dashed}"
 
 
-def _capital(title: str) -> str:
+def _capitalise(title: str) -> str:
     return title[:1].upper() + title[1:]
 
 
-def way_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int, palette: Palette) -> Gallery:
+def make_way_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int, palette: Palette) -> Gallery:
     """Return the way of the first run of the tutor alone and of every variant that is no control."""
     names = [variant.name for variant in environment.variants if not variant.control]
     if environment.reference:
         names = [environment.reference, *(name for name in names if name != environment.reference)]
-    drawn = [way_map(name, sketch, traces.firsts[name], palette) for name in names if name in traces.firsts]
-    bars = "".join(f'<i style="background:{colour}"></i>' for colour in level_scale())
+    drawn = [draw_way_map(name, sketch, traces.firsts[name], palette) for name in names if name in traces.firsts]
+    bars = "".join(f'<i style="background:{colour}"></i>' for colour in list_level_colours())
     note = (
         f"The run with seed {seed}, the first, not a chosen one; bodies stand where they begin. "
         f'<span class="key">Amplification level 0 <span class="scale">{bars}</span> 8</span>'
@@ -84,10 +90,11 @@ def way_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: 
     return Gallery("Where it drove", note, "film maps", [picture for picture in drawn if picture is not None])
 
 
-def harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Gallery:
+def make_harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Gallery:
     """Return where every variant and control was harmed."""
     drawn = [
-        harm_map(name, sketch, found, traces.firsts.get(name), palette) for name, found in traces.by_variant.items()
+        draw_harm_map(name, sketch, found, traces.firsts.get(name), palette)
+        for name, found in traces.by_variant.items()
     ]
     collided = traces.measures.harm == "collided"
     note = (
@@ -99,24 +106,24 @@ def harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Gallery:
     return Gallery(title, note, "film", [picture for picture in drawn if picture is not None])
 
 
-def film_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int) -> Gallery:
+def make_film_gallery(environment: Environment, traces: Traces, sketch: Sketch, seed: int) -> Gallery:
     """Return the film of the first run of the first learner; a gallery without pictures if there is nothing to see."""
-    name = _first_learner(environment)
+    name = _find_first_learner(environment)
     if name not in traces.firsts:
         return Gallery("Film", "", "cinema", [])
     title, measures = f"{name}, seed {seed}", traces.measures
-    taken = film(title, sketch, traces.firsts[name], measures.counters, measures.harm)
+    taken = make_film(title, sketch, traces.firsts[name], measures.counters, measures.harm)
     if taken is None:
         return Gallery("Film", "", "cinema", [])
-    return Gallery("Film", _caption(taken, title, measures.harm), "cinema", [_figure(taken, title)])
+    return Gallery("Film", _make_caption(taken, title, measures.harm), "cinema", [_make_figure(taken, title)])
 
 
-def _first_learner(environment: Environment) -> str:
+def _find_first_learner(environment: Environment) -> str:
     given = [variant.name for variant in environment.variants if not variant.control]
     return next((name for name in given if name != environment.reference), "")
 
 
-def _caption(taken: Film, title: str, harm: str) -> str:
+def _make_caption(taken: Film, title: str, harm: str) -> str:
     speed = "" if taken.time_lapse is None else f", {taken.time_lapse:.0f} times as fast as it was"
     return (
         f"{escape(title)}, the first run: decisions {taken.first:,} to {taken.last:,}{speed}. Lines have the colour of "
@@ -125,7 +132,7 @@ def _caption(taken: Film, title: str, harm: str) -> str:
     )
 
 
-def _figure(taken: Film, title: str) -> str:
+def _make_figure(taken: Film, title: str) -> str:
     width, height = taken.size
     alike = f'width="{width}" height="{height}" alt="{escape(title)}, seen from above, '
     return (

@@ -21,14 +21,14 @@ class Box(NamedTuple):
     right: float
     top: float
 
-    def shared(self, other: Box) -> float:
+    def measure_overlap(self, other: Box) -> float:
         """Return the area that both cover."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.top, other.top) - max(self.bottom, other.bottom)
         return max(0.0, width) * max(0.0, height)
 
 
-def placed(marks: Sequence[Point], sizes: Sequence[Point], within: Box, dots: Sequence[Point] = ()) -> list[Box]:
+def place_labels(marks: Sequence[Point], sizes: Sequence[Point], within: Box, dots: Sequence[Point] = ()) -> list[Box]:
     """Return a box for the name of each mark, one after the other: the cheapest of many places round the mark.
 
     Another name or mark below it is dearest, then standing outside, then distance and the dots that it hides.
@@ -43,13 +43,13 @@ def placed(marks: Sequence[Point], sizes: Sequence[Point], within: Box, dots: Se
     around = [Box(x - 5, y - 5, x + 5, y + 5) for x, y in marks]
     small = np.reshape(np.array(dots, dtype=np.float64), (-1, 2))
     for mark, size in zip(marks, sizes, strict=True):
-        candidates = _candidates(mark, size)
-        costs = [_cost(box, distance, [*boxes, *around], within, small) for box, distance in candidates]
+        candidates = _make_candidates(mark, size)
+        costs = [_measure_cost(box, distance, [*boxes, *around], within, small) for box, distance in candidates]
         boxes.append(candidates[int(np.argmin(costs))][0])
     return boxes
 
 
-def _candidates(mark: Point, size: Point) -> list[tuple[Box, float]]:
+def _make_candidates(mark: Point, size: Point) -> list[tuple[Box, float]]:
     found = []
     for distance in _DISTANCES:
         for turn in np.arange(_DIRECTIONS) * 2 * np.pi / _DIRECTIONS:
@@ -60,8 +60,8 @@ def _candidates(mark: Point, size: Point) -> list[tuple[Box, float]]:
     return found
 
 
-def _cost(box: Box, distance: float, taken: Sequence[Box], within: Box, dots: NDArray[np.float64]) -> float:
+def _measure_cost(box: Box, distance: float, taken: Sequence[Box], within: Box, dots: NDArray[np.float64]) -> float:
     x, y = dots.T
     hidden = int(((box.left < x) & (x < box.right) & (box.bottom < y) & (y < box.top)).sum())
-    outside = (box.right - box.left) * (box.top - box.bottom) - box.shared(within)
-    return 100 * sum(map(box.shared, taken)) + 50 * outside + distance + 3 * hidden
+    outside = (box.right - box.left) * (box.top - box.bottom) - box.measure_overlap(within)
+    return 100 * sum(map(box.measure_overlap, taken)) + 50 * outside + distance + 3 * hidden

@@ -14,32 +14,32 @@ from numpy.typing import NDArray
 
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.curves import places
+from tutorstudent.study.numbers.curves import read_points
 from tutorstudent.study.pictures.palette import FLOOR, MAP_COLOURS, WALL, Palette
-from tutorstudent.study.pictures.svg import STYLE, sheet, svg
+from tutorstudent.study.pictures.svg import STYLE, make_sheet, make_svg
 
 SIZE_PX = 300
 HIGHEST_LEVEL = 8
 """The thesis's highest level; higher ones have its colour."""
 
 
-def way_map(title: str, sketch: Sketch, arrays: Arrays, palette: Palette) -> str | None:
+def draw_way_map(title: str, sketch: Sketch, arrays: Arrays, palette: Palette) -> str | None:
     """Return an SVG of one run's way; None if the world does not say where the robot is."""
-    where = places(arrays)
+    where = read_points(arrays)
     if where is None:
         return None
     with mpl.rc_context(STYLE):
-        figure, axes = sheet(SIZE_PX, SIZE_PX, left_px=26, bottom_px=34)
+        figure, axes = make_sheet(SIZE_PX, SIZE_PX, left_px=26, bottom_px=34)
         draw_way(axes, sketch, arrays, where)
-        axes.set_title(title, color=palette.drawn(title), fontweight="bold")
+        axes.set_title(title, color=palette.find_stand_in(title), fontweight="bold")
         mean_level = float(arrays["resulting_level"].mean())
         alt = f"Map of the way of {title}, coloured by amplification level; the mean level is {mean_level:.1f}."
-        return svg(figure, alt, palette.stand_ins())
+        return make_svg(figure, alt, palette.list_stand_ins())
 
 
 def draw_way(axes: Axes, sketch: Sketch, arrays: Arrays, points: NDArray[np.float64]) -> None:
     """Draw the world and the way through `points`, shape (decisions, 2), in metres, coloured by level."""
-    axes.add_collection(_way(points, arrays))
+    axes.add_collection(_make_way(points, arrays))
     draw_world(axes, sketch)
 
 
@@ -52,33 +52,33 @@ def draw_world(axes: Axes, sketch: Sketch) -> None:
     axes.set_xlabel("m")
 
 
-def way_pieces(points: NDArray[np.float64], arrays: Arrays) -> NDArray[np.float64]:
+def split_way(points: NDArray[np.float64], arrays: Arrays) -> NDArray[np.float64]:
     """Return the way through `points`, shape (n, 2), as one line with a gap (NaN) wherever a trial ended.
 
-    >>> way_pieces(np.array([[0.0, 0.0], [1.0, 0.0]]), {"trial_ended": np.array([1, 0])}).tolist()
+    >>> split_way(np.array([[0.0, 0.0], [1.0, 0.0]]), {"trial_ended": np.array([1, 0])}).tolist()
     [[0.0, 0.0], [nan, nan], [1.0, 0.0]]
     """
     return np.insert(points, np.flatnonzero(arrays["trial_ended"][:-1]) + 1, np.nan, axis=0)
 
 
-def level_colours() -> Colormap:
+def make_level_colours() -> Colormap:
     """Return the colours of levels 0 to 8: dark to bright, for colour-blind readers too."""
     plasma = mpl.colormaps["plasma"]
     return LinearSegmentedColormap.from_list("level", [plasma(share) for share in np.linspace(0.0, 0.82, 9)])
 
 
-def level_scale() -> list[str]:
+def list_level_colours() -> list[str]:
     """Return a colour for each level, for the page's legend."""
-    return [to_hex(level_colours()(level / HIGHEST_LEVEL)) for level in range(HIGHEST_LEVEL + 1)]
+    return [to_hex(make_level_colours()(level / HIGHEST_LEVEL)) for level in range(HIGHEST_LEVEL + 1)]
 
 
-def _way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
+def _make_way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
     # Nothing leads from the end of one trial to the beginning of the next.
     steps = np.stack([points[:-1], points[1:]], axis=1)
     together = ~arrays["trial_ended"][:-1].astype(bool)
     way = LineCollection(
         list(steps[together]),
-        cmap=level_colours(),
+        cmap=make_level_colours(),
         norm=Normalize(0, HIGHEST_LEVEL),
         linewidths=1.0,
         alpha=0.8,
@@ -92,7 +92,7 @@ def _way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
 
 def _draw(axes: Axes, sketch: Sketch) -> None:
     for points, colour in sketch.polygons:
-        _outline(axes, points, colour)
+        _draw_outline(axes, points, colour)
     for centre, radius, colour in sketch.discs:
         axes.add_patch(Circle(centre, radius, color=MAP_COLOURS.get(colour, WALL)))
     for x, y, heading, colour in sketch.poses:
@@ -101,6 +101,6 @@ def _draw(axes: Axes, sketch: Sketch) -> None:
         axes.plot([x], [y], "o", color=MAP_COLOURS.get(colour, WALL), markersize=4)
 
 
-def _outline(axes: Axes, points: Sequence[tuple[float, float]], colour: str) -> None:
+def _draw_outline(axes: Axes, points: Sequence[tuple[float, float]], colour: str) -> None:
     body = MAP_COLOURS.get(colour)
     axes.add_patch(Polygon(list(points), facecolor=body or "none", edgecolor=body or WALL, linewidth=1.2, alpha=0.7))

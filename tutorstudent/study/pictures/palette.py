@@ -49,7 +49,7 @@ class Palette:
     """The colours of a study's variants.
 
     >>> palette = Palette([Variant("2A", "", False, {}, {}), Variant("ramp", "", True, {}, {})])
-    >>> palette.css("2A"), palette.drawn("ramp")
+    >>> palette.find_css("2A"), palette.find_stand_in("ramp")
     ('var(--v0)', '#fe0001')
     """
 
@@ -62,22 +62,22 @@ class Palette:
             *(CONTROLS[i % len(CONTROLS)] for i in range(len(controls))),
         ]
 
-    def css(self, name: str) -> str:
+    def find_css(self, name: str) -> str:
         """Return a variant's colour for the page."""
         return f"var(--v{self._index[name]})"
 
-    def drawn(self, name: str) -> str:
+    def find_stand_in(self, name: str) -> str:
         """Return the stand-in with which a variant is drawn."""
         return f"#fe{self._index[name]:04x}"
 
-    def stand_ins(self) -> dict[str, str]:
+    def list_stand_ins(self) -> dict[str, str]:
         """Return what the page makes of every stand-in."""
-        return STAND_INS | {self.drawn(name): self.css(name) for name in self._index}
+        return STAND_INS | {self.find_stand_in(name): self.find_css(name) for name in self._index}
 
-    def css_by_name(self) -> dict[str, str]:
+    def list_css(self) -> dict[str, str]:
         """Return every variant's colour for the page."""
-        return {name: self.css(name) for name in self._index}
+        return {name: self.find_css(name) for name in self._index}
 
-    def declarations(self, ground: int) -> str:
+    def make_declarations(self, ground: int) -> str:
         """Return the style sheet's variables; ground 0 is light, 1 is dark."""
         return "".join(f"--v{i}:{pair[ground]};" for i, pair in enumerate(self._pairs))

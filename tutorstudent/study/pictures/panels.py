@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tutorstudent.study.numbers.curves import Curve
-from tutorstudent.study.pictures.charts import Axis, Chart, across, upward
+from tutorstudent.study.pictures.charts import Axis, Chart, make_decision_axis, make_value_axis
 from tutorstudent.study.pictures.palette import Palette
 
 
@@ -26,23 +26,23 @@ class Bundle(NamedTuple):
     """Variant whose mean is drawn into every panel; empty for none."""
 
 
-def panels(bundle: Bundle, palette: Palette) -> list[str]:
+def draw_panels(bundle: Bundle, palette: Palette) -> list[str]:
     """Return an SVG for each variant that has runs."""
-    up = upward([float(curve.max()) for curves in bundle.curves.values() for curve in curves])
+    up = make_value_axis([float(curve.max()) for curves in bundle.curves.values() for curve in curves])
     # The middles of bins begin half a bin after 0 and end as much before the end.
-    along = across(float(bundle.at[-1] + bundle.at[0]))
-    return [_panel(bundle, name, (along, up), palette) for name, curves in bundle.curves.items() if curves]
+    along = make_decision_axis(float(bundle.at[-1] + bundle.at[0]))
+    return [_draw_panel(bundle, name, (along, up), palette) for name, curves in bundle.curves.items() if curves]
 
 
-def _panel(bundle: Bundle, name: str, axes: tuple[Axis, Axis], palette: Palette) -> str:
+def _draw_panel(bundle: Bundle, name: str, axes: tuple[Axis, Axis], palette: Palette) -> str:
     chart = Chart(*axes)
     curves = bundle.curves[name]
     for curve in curves:
-        chart.add_curve(bundle.at, curve, "run", palette.css(name))
-    chart.add_curve(bundle.at, np.mean(curves, axis=0), "mean", palette.css(name))
+        chart.add_curve(bundle.at, curve, "run", palette.find_css(name))
+    chart.add_curve(bundle.at, np.mean(curves, axis=0), "mean", palette.find_css(name))
     reference = bundle.curves.get(bundle.reference)
     if reference and name != bundle.reference:
         chart.add_curve(bundle.at, np.mean(reference, axis=0), "reference", "var(--ink)")
     ends = ", ".join(f"{curve[-1]:.4g}" for curve in curves)
     alt = f"{bundle.title} over decisions, {name}. {bundle.last}: {ends}."
-    return chart.svg(name, palette.css(name), alt)
+    return chart.make_svg(name, palette.find_css(name), alt)

@@ -6,19 +6,19 @@ from collections.abc import Iterable
 from html import escape
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.gains import gains
+from tutorstudent.study.numbers.gains import find_gains
 from tutorstudent.study.numbers.traces import Traces, read_traces
 from tutorstudent.study.pictures.galleries import (
     Gallery,
-    film_gallery,
-    harm_gallery,
-    rate_galleries,
-    total_galleries,
-    way_gallery,
+    make_film_gallery,
+    make_harm_gallery,
+    make_rate_galleries,
+    make_total_galleries,
+    make_way_gallery,
 )
 from tutorstudent.study.pictures.palette import Palette
-from tutorstudent.study.pictures.scatter import scatter
-from tutorstudent.study.pictures.strips import strip
+from tutorstudent.study.pictures.scatter import draw_scatter
+from tutorstudent.study.pictures.strips import draw_strip
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Study
 from tutorstudent.study.runs.sketches import load_sketch
@@ -33,32 +33,32 @@ class Pictures(NamedTuple):
     """The learning curves once more, summed up."""
 
 
-def pictures(study: Study, environment: Environment, palette: Palette) -> Pictures:
+def draw_pictures(study: Study, environment: Environment, palette: Palette) -> Pictures:
     """Draw everything about one environment."""
     traces = read_traces(study, environment)
     sketch = load_sketch(study.folder / "sketches" / f"{environment.name}.json")
     decisions, seed = study.plan.decisions, study.plan.seeds[0]
     return Pictures(
-        _filled([_gain_gallery(environment, traces, palette)]),
-        _filled(
+        _keep_filled([_make_gain_gallery(environment, traces, palette)]),
+        _keep_filled(
             [
-                _strip_gallery(traces, palette),
-                *rate_galleries(environment, traces, decisions, palette),
-                way_gallery(environment, traces, sketch, seed, palette),
-                harm_gallery(traces, sketch, palette),
-                film_gallery(environment, traces, sketch, seed),
+                _make_strip_gallery(traces, palette),
+                *make_rate_galleries(environment, traces, decisions, palette),
+                make_way_gallery(environment, traces, sketch, seed, palette),
+                make_harm_gallery(traces, sketch, palette),
+                make_film_gallery(environment, traces, sketch, seed),
             ]
         ),
-        _filled(total_galleries(environment, traces, decisions, palette)),
+        _keep_filled(make_total_galleries(environment, traces, decisions, palette)),
     )
 
 
-def _filled(galleries: Iterable[Gallery]) -> list[Gallery]:
+def _keep_filled(galleries: Iterable[Gallery]) -> list[Gallery]:
     return [gallery for gallery in galleries if gallery.figures]
 
 
-def _gain_gallery(environment: Environment, traces: Traces, palette: Palette) -> Gallery:
-    found = gains(environment, traces)
+def _make_gain_gallery(environment: Environment, traces: Traces, palette: Palette) -> Gallery:
+    found = find_gains(environment, traces)
     controls = [variant.name for variant in environment.variants if variant.control]
     on_the_right = f" On the right, percent of the mean of {escape(environment.reference)}."
     note = (
@@ -67,10 +67,10 @@ def _gain_gallery(environment: Environment, traces: Traces, palette: Palette) ->
         "0.1\N{NO-BREAK SPACE}% of the decisions, a bound to hold results against."
     )
     title = "What was gained, and what it cost"
-    return Gallery(title, note, "wide", [] if found is None else [scatter(found, palette, controls)])
+    return Gallery(title, note, "wide", [] if found is None else [draw_scatter(found, palette, controls)])
 
 
-def _strip_gallery(traces: Traces, palette: Palette) -> Gallery:
+def _make_strip_gallery(traces: Traces, palette: Palette) -> Gallery:
     titles = [*traces.measures.counters, traces.measures.harm_total()]
     ends = {
         title: {name: [float(curve[-1]) for curve in found] for name, found in traces.totals(title).items()}
@@ -79,5 +79,5 @@ def _strip_gallery(traces: Traces, palette: Palette) -> Gallery:
     goals = traces.goals()
     if traces.measures.goal not in ends and any(goals.values()):
         ends = {traces.measures.goal: goals} | ends
-    drawn = [strip(title, values, palette) for title, values in ends.items()]
+    drawn = [draw_strip(title, values, palette) for title, values in ends.items()]
     return Gallery("Every run", "A dot is a run, a bar the median.", "pair", drawn)

@@ -23,20 +23,20 @@ def is_long_tailed(numbers: Sequence[float]) -> bool:
     return bool(highest > _LONG_FROM and highest > 8 * np.median(numbers))
 
 
-def long_ticks(highest: float, steps: Sequence[int]) -> list[int]:
+def make_long_ticks(highest: float, steps: Sequence[int]) -> list[int]:
     """Return where a long scale is marked: 0, and these steps of every power of ten.
 
-    >>> long_ticks(300, (1, 5))
+    >>> make_long_ticks(300, (1, 5))
     [0, 1, 5, 10, 50, 100]
     """
     ticks = [0, *(step * 10**power for power in range(9) for step in steps)]
     return [tick for tick in ticks if tick <= highest]
 
 
-def long_share(values: NDArray[np.float64], limit: float) -> NDArray[np.float64]:
+def find_long_share(values: NDArray[np.float64], limit: float) -> NDArray[np.float64]:
     """Return how far along a long scale from 0 to `limit` values stand: the linear part is as long as a power of ten.
 
-    >>> long_share(np.array([0.0, 5.0, 10.0, 100.0, 1000.0]), 1000.0).tolist()
+    >>> find_long_share(np.array([0.0, 5.0, 10.0, 100.0, 1000.0]), 1000.0).tolist()
     [0.0, 0.16666666666666666, 0.3333333333333333, 0.6666666666666666, 1.0]
     """
     ends = np.append(values, limit) / LINEAR_UP_TO

@@ -15,8 +15,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from tutorstudent.core.roles.world import Point, Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.curves import Curve, counted, event, harmed, places, total
-from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, level_scale
+from tutorstudent.study.numbers.curves import Curve, find_harm, read_count, read_event, read_points, sum_up
+from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, list_level_colours
 from tutorstudent.study.pictures.palette import FLOOR, HARM, MAP_COLOURS, WALL
 
 BODY_M, BODY_PX = 0.2, 5
@@ -40,31 +40,31 @@ class Shot(NamedTuple):
     """By title: how often it had happened."""
 
 
-def shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str) -> Shot | None:
+def make_shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str) -> Shot | None:
     """Return what a film of a run shows; None if the world does not say where the robot is."""
-    where = places(arrays)
+    where = read_points(arrays)
     if where is None:
         return None
-    scale, levels = level_scale(), np.minimum(arrays["resulting_level"], HIGHEST_LEVEL)
-    found = {name: counted(arrays, name, situation) for name, situation in counters.items()}
-    counts = {name: total(values) for name, values in found.items() if values is not None}
-    hurt = harmed(arrays)
+    scale, levels = list_level_colours(), np.minimum(arrays["resulting_level"], HIGHEST_LEVEL)
+    found = {name: read_count(arrays, name, situation) for name, situation in counters.items()}
+    counts = {name: sum_up(values) for name, values in found.items() if values is not None}
+    hurt = find_harm(arrays)
     return Shot(
         title,
         where,
-        event(arrays, "heading_rad"),
+        read_event(arrays, "heading_rad"),
         arrays["resulting_level"],
         [scale[level] for level in levels],
         hurt,
         arrays["trial_ended"].astype(bool),
-        counts | {harm: total(hurt)},
+        counts | {harm: sum_up(hurt)},
     )
 
 
-def frames(shown: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Image.Image]:
+def draw_frames(shown: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Image.Image]:
     """Yield about `count` frames, from decision `first` (counted from 0) to the end of the run."""
-    seen = view(sketch, shown.places)
-    canvas = stage(sketch, seen)
+    seen = make_view(sketch, shown.places)
+    canvas = draw_stage(sketch, seen)
     step = math.ceil((len(shown.levels) - first) / count)
     for begin in range(first, len(shown.levels), step):
         end = min(begin + step, len(shown.levels))
@@ -77,16 +77,16 @@ def frames(shown: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Imag
 
 
 def _add(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int, *, is_first: bool) -> None:
-    x, y = seen.at(*shown.places[decision])
+    x, y = seen.to_pixels(*shown.places[decision])
     if not is_first and not shown.trial_ended[decision - 1]:
-        draw.line([seen.at(*shown.places[decision - 1]), (x, y)], fill=shown.colours[decision], width=FINER + 1)
+        draw.line([seen.to_pixels(*shown.places[decision - 1]), (x, y)], fill=shown.colours[decision], width=FINER + 1)
     if shown.harmed[decision]:
         reach = 4.5 * FINER
         draw.ellipse((x - reach, y - reach, x + reach, y + reach), outline=HARM, width=FINER + 1)
 
 
 def _draw_learner(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int) -> None:
-    x, y = seen.at(*shown.places[decision])
+    x, y = seen.to_pixels(*shown.places[decision])
     reach = max(BODY_M * seen.fine_px_per_m, BODY_PX * FINER)
     draw.ellipse((x - reach, y - reach, x + reach, y + reach), fill=MAP_COLOURS["green"])
     if shown.headings_rad is not None:
@@ -99,18 +99,18 @@ def _write(draw: ImageDraw.ImageDraw, shown: Shot, decision: int) -> None:
     """Write two lines above the picture: what it is and when, and what was counted by then."""
     left, right, first, second = FINER * MARGIN_PX, draw.im.size[0] - FINER * MARGIN_PX, FINER * 5, FINER * 24
     counted = "   ".join(f"{name} {counts[decision]:.0f}" for name, counts in shown.counts.items())
-    draw.text((left, first), shown.title, font=_font("bold"), fill="black")
-    draw.text((right, first), f"decision {decision + 1:,}", font=_font("normal"), fill="black", anchor="ra")
-    draw.text((left, second), counted, font=_font("normal"), fill="black")
+    draw.text((left, first), shown.title, font=_load_font("bold"), fill="black")
+    draw.text((right, first), f"decision {decision + 1:,}", font=_load_font("normal"), fill="black", anchor="ra")
+    draw.text((left, second), counted, font=_load_font("normal"), fill="black")
     level, room = f"level {shown.levels[decision]}", FINER * 2
-    reach = _font("normal").getlength(level) + 3 * room
+    reach = _load_font("normal").getlength(level) + 3 * room
     swatch = (right - reach - FINER * LETTERS_PX, second + room, right - reach, second + FINER * LETTERS_PX + room)
     draw.rectangle(swatch, fill=shown.colours[decision])
-    draw.text((right, second), level, font=_font("normal"), fill="black", anchor="ra")
+    draw.text((right, second), level, font=_load_font("normal"), fill="black", anchor="ra")
 
 
 @cache
-def _font(weight: str) -> ImageFont.FreeTypeFont:
+def _load_font(weight: str) -> ImageFont.FreeTypeFont:
     return ImageFont.truetype(findfont(f"DejaVu Sans:{weight}"), FINER * LETTERS_PX)
 
 
@@ -129,14 +129,14 @@ class View(NamedTuple):
     size: tuple[int, int]
     """Of the fine frame."""
 
-    def at(self, x_m: float, y_m: float) -> Point:
+    def to_pixels(self, x_m: float, y_m: float) -> Point:
         """Return the place of a point."""
         margin = FINER * MARGIN_PX
         x = margin + (x_m - self.left_m) * self.fine_px_per_m
         return x, margin + FINER * HEAD_PX + (self.top_m - y_m) * self.fine_px_per_m
 
 
-def view(sketch: Sketch, way: NDArray[np.float64]) -> View:
+def make_view(sketch: Sketch, way: NDArray[np.float64]) -> View:
     """Return a view that holds the world and the way through it, shape (n, 2), metres."""
     points = np.array([point for outline, _ in sketch.polygons for point in outline], dtype=np.float64).reshape(-1, 2)
     discs = [(x + side * radius, y + side * radius) for (x, y), radius, _ in sketch.discs for side in (-1, 1)]
@@ -151,15 +151,15 @@ def view(sketch: Sketch, way: NDArray[np.float64]) -> View:
     return View(FINER * scale, float(left) - spare_m, float(top), size)
 
 
-def stage(sketch: Sketch, seen: View) -> Image.Image:
+def draw_stage(sketch: Sketch, seen: View) -> Image.Image:
     """Return a fine frame with the world alone; robots, which do not stay where they begin, are outlines."""
     image = Image.new("RGB", seen.size, FLOOR)
     draw = ImageDraw.Draw(image)
     draw.rectangle((0, 0, seen.size[0], FINER * HEAD_PX), fill="white")
     for outline, colour in sketch.polygons:
-        _draw_outline(draw, [seen.at(*point) for point in outline], colour, moves=_is_robot(outline, sketch))
+        _draw_outline(draw, [seen.to_pixels(*point) for point in outline], colour, moves=_is_robot(outline, sketch))
     for (x_m, y_m), radius_m, colour in sketch.discs:
-        (x, y), radius = seen.at(x_m, y_m), radius_m * seen.fine_px_per_m
+        (x, y), radius = seen.to_pixels(x_m, y_m), radius_m * seen.fine_px_per_m
         draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=MAP_COLOURS.get(colour, WALL))
     return image
 

@@ -44,7 +44,7 @@ TOP_PX, RIGHT_PX = 20, 10
 _METADATA = {"Creator": None, "Date": None, "Format": None, "Type": None}
 
 
-def sheet(
+def make_sheet(
     width_px: float, height_px: float, *, left_px: float, bottom_px: float, right_px: float = RIGHT_PX
 ) -> tuple[Figure, Axes]:
     """Return an empty drawing with margins for labels; the axes of drawings of one size are in line."""
@@ -53,7 +53,7 @@ def sheet(
     return figure, figure.add_axes((left, bottom, 1 - left - right_px / width_px, 1 - bottom - TOP_PX / height_px))
 
 
-def svg(figure: Figure, alt: str, stand_ins: Mapping[str, str], raster_dpi: int = 150) -> str:
+def make_svg(figure: Figure, alt: str, stand_ins: Mapping[str, str], raster_dpi: int = 150) -> str:
     """Return a drawing as an ``<svg>`` element with stand-in colours replaced; `alt` says what it shows."""
     buffer = io.StringIO()
     with mpl.rc_context(STYLE):

@@ -62,16 +62,16 @@ class Searched(NamedTuple):
         return all(item.runs == len(self.seeds) for item in self.levels)
 
 
-def candidate(level: int) -> str:
+def name_candidate(level: int) -> str:
     """Return the name of a constant level in the search's plan; 0 is the tutor alone.
 
-    >>> candidate(0), candidate(3)
+    >>> name_candidate(0), name_candidate(3)
     ('tutor-alone', 'level-3')
     """
     return f"level-{level}" if level else ALONE
 
 
-def best(levels: Sequence[Level], limit: float, runs: int) -> Level | None:
+def find_best(levels: Sequence[Level], limit: float, runs: int) -> Level | None:
     """Return the level with the highest goal among those within the limit; without one, the least violating level.
 
     Args:
@@ -80,19 +80,19 @@ def best(levels: Sequence[Level], limit: float, runs: int) -> Level | None:
         runs: Number of runs that a level must have to be chosen.
     """
     whole = [item for item in levels if item.level > 0 and item.runs == runs]
-    within = [item for item in whole if _violated(item) <= limit]
+    within = [item for item in whole if _read_violated(item) <= limit]
     if within:
-        return max(within, key=lambda item: (item.goal or 0.0, -_violated(item), -item.level))
-    return min(whole, key=lambda item: (_violated(item), -(item.goal or 0.0), item.level), default=None)
+        return max(within, key=lambda item: (item.goal or 0.0, -_read_violated(item), -item.level))
+    return min(whole, key=lambda item: (_read_violated(item), -(item.goal or 0.0), item.level), default=None)
 
 
-def settled(plan: Plan, searched: Searched | None) -> Plan:
+def settle(plan: Plan, searched: Searched | None) -> Plan:
     """Return the plan with the control of the level that was found, in each environment that has one."""
     search = plan.search
     if search is None or searched is None:
         return plan
     places = zip(plan.environments, search.plan.environments, strict=True)
-    return plan._replace(environments=tuple(_with_best(place, tried, searched) for place, tried in places))
+    return plan._replace(environments=tuple(_add_best(place, tried, searched) for place, tried in places))
 
 
 def save_searched(searched: Searched, folder: Path) -> None:
@@ -121,23 +121,23 @@ def load_searched(folder: Path) -> Searched | None:
         ) from None
 
 
-def _violated(item: Level) -> float:
+def _read_violated(item: Level) -> float:
     return item.violated or 0.0
 
 
-def _with_best(place: Environment, tried: Environment, searched: Searched) -> Environment:
+def _add_best(place: Environment, tried: Environment, searched: Searched) -> Environment:
     found = searched.chosen(place.name)
     if found is None or BEST in [variant.name for variant in place.variants]:
         return place
-    winner = next(variant for variant in tried.variants if variant.name == candidate(found.level))
-    about = f"{winner.about} {_reason(found, searched)}"
+    winner = next(variant for variant in tried.variants if variant.name == name_candidate(found.level))
+    about = f"{winner.about} {_explain(found, searched)}"
     return place._replace(variants=(*place.variants, Variant(BEST, about, True, winner.pipeline, winner.counters)))
 
 
-def _reason(found: Level, searched: Searched) -> str:
+def _explain(found: Level, searched: Searched) -> str:
     limit = searched.limit(found.environment)
     seeds = ", ".join(map(str, searched.seeds))
-    if _violated(found) > limit:
+    if _read_violated(found) > limit:
         kept = f"the one that violates least, since none keeps to {limit:.2%} of decisions"
     elif searched.is_indifferent(found.environment):
         kept = f"the one that violates least, or the lowest of those, since all came to the same mean '{searched.goal}'"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from tutorstudent.study.plans.constant_level import ALONE, LEVELS, candidate
+from tutorstudent.study.plans.constant_level import ALONE, LEVELS, name_candidate
 from tutorstudent.study.plans.resolving import Resolved
 
 UNSEARCHED = 4
@@ -22,7 +22,7 @@ class Control(NamedTuple):
     values: dict[str, Any]
 
 
-def controls_of(resolved: Resolved) -> Iterator[Control]:
+def make_controls(resolved: Resolved) -> Iterator[Control]:
     """Yield the controls of a pipeline, but for the constant level.
 
     A control replaces student, selector and amplifier together, and keeps how far a level moves a component; ``blind``
@@ -30,40 +30,42 @@ def controls_of(resolved: Resolved) -> Iterator[Control]:
     """
     evaluator = resolved.values["evaluator"]
     ramp = {"use": "ramp"} | ({"encoder": resolved.encoder} if resolved.encoder else {})
-    yield _alone(resolved)
+    yield _make_tutor_alone(resolved)
     yield Control(
         "blind",
         "The same learner, never told of a violation.",
         resolved.values | {"evaluator": {"use": "blind", "evaluator": evaluator}},
     )
-    yield _replacing(resolved, "ramp", "No learning: one level more while the tutor's kind and the inputs stay.", ramp)
-    yield _replacing(
+    yield _replace_student(
+        resolved, "ramp", "No learning: one level more while the tutor's kind and the inputs stay.", ramp
+    )
+    yield _replace_student(
         resolved, "random", "No learning: a level drawn anew in every decision, 0 to 8.", {"use": "random"}
     )
 
 
-def unsearched(resolved: Resolved) -> Control:
+def make_unsearched(resolved: Resolved) -> Control:
     """Return the control of a constant level where none is searched for."""
     about = f"No learning: level {UNSEARCHED} in every decision; no other level was tried."
-    return _constant(resolved, CONSTANT, about, UNSEARCHED)
+    return _make_constant(resolved, CONSTANT, about, UNSEARCHED)
 
 
-def candidates_of(resolved: Resolved) -> Iterator[Control]:
+def make_candidates(resolved: Resolved) -> Iterator[Control]:
     """Yield what a search for the best constant level tries: the tutor alone, then every level."""
-    yield _alone(resolved)
+    yield _make_tutor_alone(resolved)
     for level in LEVELS:
-        yield _constant(resolved, candidate(level), f"No learning: level {level} in every decision.", level)
+        yield _make_constant(resolved, name_candidate(level), f"No learning: level {level} in every decision.", level)
 
 
-def _alone(resolved: Resolved) -> Control:
-    return _replacing(resolved, ALONE, "The tutor, never amplified.", {"use": "silent"})
+def _make_tutor_alone(resolved: Resolved) -> Control:
+    return _replace_student(resolved, ALONE, "The tutor, never amplified.", {"use": "silent"})
 
 
-def _constant(resolved: Resolved, name: str, about: str, level: int) -> Control:
-    return _replacing(resolved, name, about, {"use": "constant", "level": level})
+def _make_constant(resolved: Resolved, name: str, about: str, level: int) -> Control:
+    return _replace_student(resolved, name, about, {"use": "constant", "level": level})
 
 
-def _replacing(resolved: Resolved, name: str, about: str, student: dict[str, Any]) -> Control:
+def _replace_student(resolved: Resolved, name: str, about: str, student: dict[str, Any]) -> Control:
     reins = {
         "student": student,
         "learned": None,  # what the learner begins with, no other student could take

@@ -6,15 +6,15 @@ from collections.abc import Iterable, Mapping
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.rundir import run_pipeline
-from tutorstudent.core.words.errors import PipelineError, listing, suggestion
-from tutorstudent.study.plans.controls import candidates_of
-from tutorstudent.study.plans.resolving import Resolved, learner_of, reread
+from tutorstudent.core.words.errors import PipelineError, list_names, suggest
+from tutorstudent.study.plans.controls import make_candidates
+from tutorstudent.study.plans.resolving import Resolved, find_learner, reread
 
 UNBOUNDED = ("share:", "violated:")
 """What begins a name in a summary that only some runs have."""
 
 
-def goal_of(asked: str, places: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
+def find_goal(asked: str, places: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
     """Return the name of what a run is to have most of; empty where nothing counts it.
 
     Args:
@@ -26,29 +26,29 @@ def goal_of(asked: str, places: Iterable[Mapping[str, Resolved]], registry: Regi
         PipelineError: if the goal that is asked for is nothing that a run counts.
     """
     pipelines = list(places)
-    learners = [found[name] for found in pipelines if (name := learner_of(found))]
+    learners = [found[name] for found in pipelines if (name := find_learner(found))]
     first = next(iter([*learners, *pipelines[0].values()]))
     if asked:
         _check(asked, first, registry)
     return asked or next(iter(first.counters), first.goal_event)
 
 
-def with_goal(goal: str, counters: Mapping[str, str], known: Mapping[str, str]) -> dict[str, str]:
+def put_goal_first(goal: str, counters: Mapping[str, str], known: Mapping[str, str]) -> dict[str, str]:
     """Return what a variant counts with the goal before all else; without a situation where no observer enters one.
 
-    >>> with_goal("prey", {"turns": "Turning"}, {"turns": "Turning", "prey": "Spin"})
+    >>> put_goal_first("prey", {"turns": "Turning"}, {"turns": "Turning", "prey": "Spin"})
     {'prey': 'Spin', 'turns': 'Turning'}
-    >>> with_goal("distance_m", {}, {}), with_goal("", {}, {})
+    >>> put_goal_first("distance_m", {}, {}), put_goal_first("", {}, {})
     ({'distance_m': ''}, {})
     """
     return ({goal: known.get(goal, "")} if goal else {}) | dict(counters)
 
 
-def unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
+def explain_unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
     """Return what is wrong with a goal that no run counts."""
     names = sorted(known)
     return PipelineError(
-        f"--goal {goal}: no run counts it{suggestion(goal, names)}. What is counted: {listing(names)}."
+        f"--goal {goal}: no run counts it{suggest(goal, names)}. What is counted: {list_names(names)}."
     )
 
 
@@ -56,7 +56,7 @@ def _check(goal: str, resolved: Resolved, registry: Registry) -> None:
     """Let the tutor alone take one decision to see what is counted, before all are taken."""
     if goal.startswith(UNBOUNDED):
         return
-    alone = next(candidates_of(resolved)).values
+    alone = next(make_candidates(resolved)).values
     known = run_pipeline(reread(f"--goal {goal}", alone | {"decisions": 1}, registry)).summary
     if goal not in known:
-        raise unknown_goal(goal, known)
+        raise explain_unknown_goal(goal, known)

@@ -82,7 +82,7 @@ class Plan(NamedTuple):
         for environment in self.environments:
             for variant in environment.variants:
                 found.setdefault(variant.name, {})[environment.name] = variant
-        return sorted(map(_merged, found.values()), key=lambda variant: variant.control)
+        return sorted(map(_merge, found.values()), key=lambda variant: variant.control)
 
 
 class Search(NamedTuple):
@@ -96,7 +96,7 @@ class Search(NamedTuple):
     """On seeds of its own."""
 
 
-def _merged(variants: dict[str, Variant]) -> Variant:
+def _merge(variants: dict[str, Variant]) -> Variant:
     """Return one for all environments, by whose name they are given."""
     *_, last = variants.values()
     if len({variant.about for variant in variants.values()}) == 1:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tutorstudent.core.files.durable import write_whole
-from tutorstudent.core.files.rundir import versions
+from tutorstudent.core.files.rundir import find_versions
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study.plans.plan import Environment, Plan, Search, Variant
 
@@ -19,7 +19,7 @@ FORMAT = 1
 
 def save_plan(plan: Plan, folder: Path) -> None:
     """Write the plan into the folder of its study, completely or not at all."""
-    data = {"format": FORMAT, "versions": versions()} | as_data(plan)
+    data = {"format": FORMAT, "versions": find_versions()} | make_data(plan)
     write_whole(folder / FILE, json.dumps(data, indent=1) + "\n")
 
 
@@ -31,7 +31,7 @@ def load_plan(folder: Path) -> Plan:
     """
     data = _read(folder)
     try:
-        return _plan(data)
+        return _make_plan(data)
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         raise PipelineError(f"{folder / FILE}: this is no plan ({type(error).__name__}: {error}). {_REMEDY}") from None
 
@@ -43,7 +43,9 @@ def check_versions(folder: Path) -> None:
         PipelineError: if one of them is another now.
     """
     there = _read(folder).get("versions", {})
-    changed = [f"{name} {there[name]} (now {now})" for name, now in versions().items() if there.get(name, now) != now]
+    changed = [
+        f"{name} {there[name]} (now {now})" for name, now in find_versions().items() if there.get(name, now) != now
+    ]
     if changed:
         raise PipelineError(
             f"{folder}: the study was begun with {', '.join(changed)}. Runs of different versions cannot be compared; "
@@ -51,7 +53,7 @@ def check_versions(folder: Path) -> None:
         )
 
 
-def as_data(plan: Plan) -> dict[str, Any]:
+def make_data(plan: Plan) -> dict[str, Any]:
     """Return the plan as what JSON can hold."""
     search = plan.search
     return {
@@ -61,7 +63,7 @@ def as_data(plan: Plan) -> dict[str, Any]:
             environment._asdict() | {"variants": [variant._asdict() for variant in environment.variants]}
             for environment in plan.environments
         ],
-        "search": search and search._asdict() | {"plan": as_data(search.plan)},
+        "search": search and search._asdict() | {"plan": make_data(search.plan)},
     }
 
 
@@ -86,7 +88,7 @@ def _read(folder: Path) -> dict[str, Any]:
     return data
 
 
-def _plan(data: dict[str, Any]) -> Plan:
+def _make_plan(data: dict[str, Any]) -> Plan:
     environments = tuple(
         Environment(item["name"], tuple(Variant(**variant) for variant in item["variants"]), item["reference"])
         for item in data["environments"]
@@ -96,21 +98,21 @@ def _plan(data: dict[str, Any]) -> Plan:
         environments,
         tuple(map(int, data["seeds"])),
         int(data["decisions"]),
-        search and Search(search["goal"], search["harm_budget"], _plan(search["plan"])),
+        search and Search(search["goal"], search["harm_budget"], _make_plan(search["plan"])),
     )
 
 
 SHOWN = 5
 
 
-def differences(there: Any, asked: Any) -> str:
+def find_differences(there: Any, asked: Any) -> str:
     """Return where two nested values differ, the first few; lists of things with a name are compared by name.
 
     Args:
         there: What stands in the folder.
         asked: What is asked for now.
 
-    >>> differences({"seeds": [0, 1], "decisions": 60}, {"seeds": [0, 1], "decisions": 30})
+    >>> find_differences({"seeds": [0, 1], "decisions": 60}, {"seeds": [0, 1], "decisions": 30})
     'decisions: 60 there, 30 now'
     """
     found = list(_walk(there, asked, ""))
@@ -119,10 +121,10 @@ def differences(there: Any, asked: Any) -> str:
 
 
 def _walk(there: Any, asked: Any, at: str) -> Iterator[str]:
-    there, asked = _by_name(there), _by_name(asked)
+    there, asked = _index_by_name(there), _index_by_name(asked)
     if not (isinstance(there, dict) and isinstance(asked, dict)):
         if there != asked:
-            yield f"{at}: {_short(there)} there, {_short(asked)} now"
+            yield f"{at}: {_shorten(there)} there, {_shorten(asked)} now"
         return
     for key in there | asked:
         place = f"{at}.{key}" if at else str(key)
@@ -134,12 +136,12 @@ def _walk(there: Any, asked: Any, at: str) -> Iterator[str]:
             yield from _walk(there[key], asked[key], place)
 
 
-def _by_name(value: Any) -> Any:
+def _index_by_name(value: Any) -> Any:
     if isinstance(value, list) and value and all(isinstance(item, dict) and "name" in item for item in value):
         return {item["name"]: item for item in value}
     return value
 
 
-def _short(value: Any) -> str:
+def _shorten(value: Any) -> str:
     text = json.dumps(value, default=str)
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.settings import key_and_text, read_key_value
+from tutorstudent.core.files.settings import read_key_value, split_setting
 from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError
 
@@ -27,8 +27,8 @@ class Setting(NamedTuple):
     def label(self) -> str:
         """A word for an environment: the value itself where it is a word, else with its key."""
         if isinstance(self.value, str):
-            return slug(Path(self.value).stem if "/" in self.value else self.value)
-        return slug(f"{self.key.rpartition('.')[2]}-{self.value}")
+            return make_slug(Path(self.value).stem if "/" in self.value else self.value)
+        return make_slug(f"{self.key.rpartition('.')[2]}-{self.value}")
 
     def apply(self, pipeline: Pipeline) -> Pipeline:
         """Return the pipeline with this value; PipelineError if it has no place for the key."""
@@ -57,10 +57,10 @@ class Request(NamedTuple):
     """Of each constant level in each environment, on seeds of their own; 0: no search."""
 
 
-def slug(text: str) -> str:
+def make_slug(text: str) -> str:
     """Return a text as a word that names a folder.
 
-    >>> slug("../my scene.yaml")
+    >>> make_slug("../my scene.yaml")
     'my-scene.yaml'
     """
     return re.sub(r"[^\w.+-]+", "-", text).strip("-.") or "unnamed"
@@ -77,7 +77,7 @@ def read_variation(option: str, text: str) -> list[Setting]:
     Raises:
         PipelineError: if there is no value, or one twice.
     """
-    key, values = key_and_text(option, text)
+    key, values = split_setting(option, text)
     found = parse_yaml(f"[{values}]", f"{option} {text}").data
     settings = [Setting(key, value) for value in found]
     if not settings:
@@ -99,7 +99,7 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
         raise PipelineError("compare: there is no pipeline; give at least one YAML file.")
     found: dict[str, tuple[Path, Pipeline]] = {}
     for path in paths:
-        name = _name(path)
+        name = _find_name(path)
         if name in found:
             raise PipelineError(
                 f"compare: {found[name][0]} and {path} would both be named '{name}'; rename one of the files."
@@ -108,6 +108,6 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
     return {name: pipeline for name, (_, pipeline) in found.items()}
 
 
-def _name(path: Path) -> str:
+def _find_name(path: Path) -> str:
     """Return what a file is about; every package and every run has a ``pipeline.yaml``, so that says nothing."""
-    return slug(path.resolve().parent.name if path.stem == ANY else path.stem)
+    return make_slug(path.resolve().parent.name if path.stem == ANY else path.stem)

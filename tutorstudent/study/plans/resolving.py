@@ -7,13 +7,13 @@ from contextlib import closing
 from typing import Any, NamedTuple
 
 from tutorstudent.core.files.pipeline import SLOTS, Pipeline, describe
-from tutorstudent.core.files.plainvalues import plain
+from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.leaves import Encoder
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.observers import Entries
-from tutorstudent.core.running.runner import trial_seed
+from tutorstudent.core.running.runner import make_trial_seed
 
 Values = Mapping[str, Any]
 ALONE = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
@@ -47,17 +47,17 @@ def resolve(pipeline: Pipeline) -> Resolved:
         return Resolved(
             describe(engine, world, pipeline),
             float(engine.amplifier.amount),
-            plain(engine.amplifier.change.describe(), "amplifier.change"),
-            plain(encoders[0].describe(), "student.encoder") if encoders else None,
+            make_plain(engine.amplifier.change.describe(), "amplifier.change"),
+            make_plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
             world.goal_event,
         )
 
 
-def completed(name: str, values: Values, registry: Registry) -> dict[str, Any]:
+def complete(name: str, values: Values, registry: Registry) -> dict[str, Any]:
     """Return the values with the defaults of the engine's parts filled in."""
     with closing(reread(name, values, registry).engine()) as engine:
-        return dict(values) | {slot: plain(getattr(engine, slot).describe(), f"{name}: {slot}") for slot in SLOTS}
+        return dict(values) | {slot: make_plain(getattr(engine, slot).describe(), f"{name}: {slot}") for slot in SLOTS}
 
 
 def reread(name: str, values: Values, registry: Registry) -> Pipeline:
@@ -65,10 +65,10 @@ def reread(name: str, values: Values, registry: Registry) -> Pipeline:
     return Pipeline(Document(name, dict(values)), registry)
 
 
-def sketch_of(pipeline: Pipeline) -> Sketch:
+def draw_sketch(pipeline: Pipeline) -> Sketch:
     """Return a drawing of the pipeline's world at the beginning of a run."""
     with pipeline.built() as (_, world, _observers):
-        world.reset(trial_seed(pipeline.header.seed, 0))
+        world.reset(make_trial_seed(pipeline.header.seed, 0))
         return world.sketch()
 
 
@@ -77,20 +77,20 @@ def is_tutor_alone(values: Values) -> bool:
     return bool(values["student"]["use"] == "silent" and values["amplifier"]["use"] == "never")
 
 
-def learner_of(resolved: Mapping[str, Resolved]) -> str | None:
+def find_learner(resolved: Mapping[str, Resolved]) -> str | None:
     """Return the name of the first pipeline that can amplify; None if all are tutors alone."""
     return next((name for name, found in resolved.items() if not is_tutor_alone(found.values)), None)
 
 
-def same(one: Values, other: Values) -> bool:
+def is_same(one: Values, other: Values) -> bool:
     """Return whether two resolved pipelines do the same, whatever their seed and number of decisions.
 
     A tutor that is never amplified is one and the same with any selector, evaluator, amount and limits.
     """
-    return _essence(one) == _essence(other)
+    return _find_essence(one) == _find_essence(other)
 
 
-def _essence(values: Values) -> dict[str, Any]:
+def _find_essence(values: Values) -> dict[str, Any]:
     if is_tutor_alone(values):
         return {key: values[key] for key in ALONE}
     return {key: value for key, value in values.items() if key not in ("seed", "decisions")}

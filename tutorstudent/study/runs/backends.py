@@ -10,7 +10,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any, NamedTuple
 
-from tutorstudent.core.words.errors import PipelineError, listing, suggestion
+from tutorstudent.core.words.errors import PipelineError, list_names, suggest
 
 MODULES = {"loky": "joblib", "dask": "distributed", "ray": "ray"}
 EXTRAS = {"loky": "study", "dask": "dask", "ray": "ray"}
@@ -42,7 +42,7 @@ def check_backend(backend: Backend) -> None:
     """
     name, address = backend
     if name not in MODULES:
-        raise PipelineError(f"--backend {name}: unknown{suggestion(name, MODULES)}. Backends: {listing(MODULES)}.")
+        raise PipelineError(f"--backend {name}: unknown{suggest(name, MODULES)}. Backends: {list_names(MODULES)}.")
     if find_spec(MODULES[name]) is None:
         raise PipelineError(
             f"--backend {name} needs {MODULES[name]}; install it with: pip install 'tutorstudent[{EXTRAS[name]}]'"
@@ -52,7 +52,7 @@ def check_backend(backend: Backend) -> None:
 
 
 @contextmanager
-def started(backend: Backend, workers: int) -> Iterator[Any]:
+def start(backend: Backend, workers: int) -> Iterator[Any]:
     """Yield a `joblib.Parallel` that hands out results as jobs end; at the end nothing of it stays behind.
 
     Args:
@@ -64,7 +64,7 @@ def started(backend: Backend, workers: int) -> Iterator[Any]:
         WorkersLost: if it has gone before all jobs had ended.
     """
     check_backend(backend)
-    how = {"loky": _loky, "dask": _dask, "ray": _ray}[backend.name]
+    how = {"loky": _start_loky, "dask": _start_dask, "ray": _start_ray}[backend.name]
     with warnings.catch_warnings():
         # An interrupted study lets go of jobs that have not ended; that is what is wanted.
         warnings.filterwarnings("ignore", message=r"\d+ tasks have been successfully executed", category=UserWarning)
@@ -73,7 +73,7 @@ def started(backend: Backend, workers: int) -> Iterator[Any]:
 
 
 @contextmanager
-def _loky(_: str, workers: int) -> Iterator[Any]:
+def _start_loky(_: str, workers: int) -> Iterator[Any]:
     import joblib  # an extra, like all below: the rest of the package does without
 
     with joblib.parallel_config(backend="loky", inner_max_num_threads=1):
@@ -85,12 +85,12 @@ def _loky(_: str, workers: int) -> Iterator[Any]:
 
 
 @contextmanager
-def _dask(address: str, workers: int) -> Iterator[Any]:
+def _start_dask(address: str, workers: int) -> Iterator[Any]:
     import joblib
 
     distributed = import_module("distributed")
     try:
-        client = distributed.Client(address) if address else distributed.Client(**_local(workers))
+        client = distributed.Client(address) if address else distributed.Client(**_describe_local(workers))
     except (OSError, ValueError, RuntimeError) as error:
         where = f"at {address}, is its scheduler running?" if address else "on this machine."
         raise PipelineError(f"--backend dask: no cluster {where} {type(error).__name__}: {error}") from None
@@ -101,12 +101,12 @@ def _dask(address: str, workers: int) -> Iterator[Any]:
             raise WorkersLost(f"a worker of dask's died, and what had not ended with it ({error}).") from error
 
 
-def _local(workers: int) -> dict[str, Any]:
+def _describe_local(workers: int) -> dict[str, Any]:
     return {"n_workers": workers, "threads_per_worker": 1, "dashboard_address": None}
 
 
 @contextmanager
-def _ray(address: str, workers: int) -> Iterator[Any]:
+def _start_ray(address: str, workers: int) -> Iterator[Any]:
     import joblib
 
     ray = import_module("ray")

@@ -10,12 +10,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tutorstudent.core.files.durable import whole_folder
+from tutorstudent.core.files.durable import replace_folder
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.rundir import run_pipeline, write_run, writing
+from tutorstudent.core.files.rundir import explain_write_errors, run_pipeline, write_run
 from tutorstudent.study.plans.plan import Job
 from tutorstudent.study.plans.resolving import reread
-from tutorstudent.study.runs.backends import LOKY, Backend, WorkersLost, started
+from tutorstudent.study.runs.backends import LOKY, Backend, WorkersLost, start
 from tutorstudent.study.runs.timing import Stopwatch, save_timing
 
 ERROR = "error.txt"
@@ -50,11 +50,11 @@ def run_jobs(jobs: Sequence[Job], folder: Path, workers: int = 1, backend: Backe
         return
     waiting = {job.folder: job for job in jobs}
     try:
-        for finished in _in_parallel(jobs, folder.resolve(), workers, backend):
+        for finished in _run_in_parallel(jobs, folder.resolve(), workers, backend):
             del waiting[finished.job.folder]
             yield finished
     except WorkersLost as error:
-        yield from (_failed(job, folder, str(error), str(error.__cause__)) for job in waiting.values())
+        yield from (_report_failure(job, folder, str(error), str(error.__cause__)) for job in waiting.values())
 
 
 def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finished:
@@ -64,32 +64,32 @@ def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finishe
         own = {"seed": job.seed, "decisions": job.decisions}
         pipeline = reread(str(job.folder), job.pipeline | own, registry or Registry.discover())
         watch = Stopwatch()
-        with _one_thread():
+        with _limit_threads():
             finished = run_pipeline(pipeline)
-        with whole_folder(place) as partial:
+        with replace_folder(place) as partial:
             note = write_run(partial, finished) or ""
             save_timing(partial, watch.read())
     except Exception as error:
-        return _failed(job, folder, f"{type(error).__name__}: {error}", traceback.format_exc())
+        return _report_failure(job, folder, f"{type(error).__name__}: {error}", traceback.format_exc())
     return Finished(job, "", note.replace(str(partial), str(place)))
 
 
-def _failed(job: Job, folder: Path, problem: str, trace: str) -> Finished:
+def _report_failure(job: Job, folder: Path, problem: str, trace: str) -> Finished:
     problem = " ".join(problem.split())
     place = folder / job.folder
-    with writing(place), whole_folder(place) as partial:
+    with explain_write_errors(place), replace_folder(place) as partial:
         (partial / ERROR).write_text(f"{problem}\n\n{trace}", encoding="utf-8")
     return Finished(job, problem)
 
 
-def _in_parallel(jobs: Sequence[Job], folder: Path, workers: int, backend: Backend) -> Iterator[Finished]:
+def _run_in_parallel(jobs: Sequence[Job], folder: Path, workers: int, backend: Backend) -> Iterator[Finished]:
     import joblib  # an extra: the rest of the package does without
 
-    with started(backend, workers) as parallel:
+    with start(backend, workers) as parallel:
         yield from parallel(joblib.delayed(run_job)(job, folder) for job in jobs)
 
 
-def _one_thread() -> AbstractContextManager[Any]:
+def _limit_threads() -> AbstractContextManager[Any]:
     # Sums over several threads may differ in the last bit. The limiter comes with scikit-learn; numpy alone does not
     # split what is as small as these networks.
     if find_spec("threadpoolctl") is None:

@@ -10,7 +10,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from tutorstudent.study.runs.jobs import Finished
 
 
-def shown(results: Iterable[Finished], title: str, total: int, done: int = 0) -> Iterator[Finished]:
+def show_progress(results: Iterable[Finished], title: str, total: int, done: int = 0) -> Iterator[Finished]:
     """Yield the results, and show them on standard error: a bar, and a line for each that failed or has a note.
 
     Args:
@@ -32,12 +32,12 @@ def shown(results: Iterable[Finished], title: str, total: int, done: int = 0) ->
         for finished in results:
             failed += bool(finished.problem)
             progress.update(task, advance=1, failed=failed)
-            if text := _line(finished):
+            if text := _write_line(finished):
                 progress.console.print(text, markup=False, highlight=False)
             yield finished
 
 
-def _line(finished: Finished) -> str:
+def _write_line(finished: Finished) -> str:
     job, said = finished.job, finished.problem or finished.note
     word = "failed" if finished.problem else "note"
     return f"{word}: {job.environment}, {job.variant}, seed {job.seed}: {said}" if said else ""

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tutorstudent.core.running.arrays import Arrays, load_arrays
-from tutorstudent.study.plans.constant_level import BEST, Searched, load_searched, settled
+from tutorstudent.study.plans.constant_level import BEST, Searched, load_searched, settle
 from tutorstudent.study.plans.constant_level import FOLDER as SEARCH
 from tutorstudent.study.plans.plan import Job, Plan
 from tutorstudent.study.runs.jobs import ERROR
-from tutorstudent.study.runs.timing import TIMING, Spent, load_timing, wall_of_sittings
+from tutorstudent.study.runs.timing import TIMING, Spent, load_timing, read_sittings
 
 RECORD = "run.json"
 DECISIONS = "decisions.npz"
@@ -68,11 +68,11 @@ class Study(NamedTuple):
     def spent(self) -> Spent:
         """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
         cpu_s = [load_timing(path.parent).cpu_s for path in sorted(self.folder.rglob(TIMING))]
-        return Spent(sum(wall_of_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
+        return Spent(sum(read_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
 
     def sittings(self) -> int:
         """Return how often the study was begun or gone on with."""
-        return len(wall_of_sittings(self.folder))
+        return len(read_sittings(self.folder))
 
     def of(self, environment: str, variant: str) -> list[Run]:
         """Return the runs of one row, by seed."""
@@ -89,9 +89,9 @@ def read_study(folder: Path, plan: Plan) -> Study:
         PipelineError: if the table of the search is damaged.
     """
     searched = load_searched(folder) if plan.search else None
-    complete = settled(plan, searched)
+    complete = settle(plan, searched)
     runs, lacking = read_runs(folder, complete.jobs())
-    lacking += _of_the_search(folder, plan, searched)
+    lacking += _find_search_failures(folder, plan, searched)
     failures = tuple(item for item in lacking if item.problem)
     waiting = tuple(item for item in lacking if not item.problem)
     return Study(folder, complete, tuple(runs), failures, searched, waiting)
@@ -108,9 +108,9 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
     """Read what one job left below a folder; a failure says why there is nothing, or what is damaged."""
     place = folder / job.folder
     if not (place / RECORD).exists():
-        return Failure(job.environment, job.variant, job.seed, _problem(place))
+        return Failure(job.environment, job.variant, job.seed, _find_problem(place))
     try:
-        summary = _summary(place)
+        summary = _read_summary(place)
         _check_decisions(place / DECISIONS)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile, zlib.error) as error:
         problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
@@ -134,7 +134,7 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _summary(place: Path) -> dict[str, float]:
+def _read_summary(place: Path) -> dict[str, float]:
     data = json.loads((place / RECORD).read_text(encoding="utf-8"))
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
     return summary | {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
@@ -147,14 +147,14 @@ def _check_decisions(path: Path) -> None:
         raise ValueError(f"{path.name}: {broken} is not what was written")
 
 
-def _problem(place: Path) -> str:
+def _find_problem(place: Path) -> str:
     error = place / ERROR
     if not error.exists():
         return ""
     return error.read_text(encoding="utf-8").partition("\n")[0] or f"{error} is empty; {AGAIN}"
 
 
-def _of_the_search(folder: Path, plan: Plan, searched: Searched | None) -> list[Failure]:
+def _find_search_failures(folder: Path, plan: Plan, searched: Searched | None) -> list[Failure]:
     """Return what is not complete of a search, and the runs that wait for its level."""
     if plan.search is None or (searched and searched.complete()):
         return []

@@ -13,12 +13,12 @@ from tutorstudent.study.plans.constant_level import (
     LEVELS,
     Level,
     Searched,
-    best,
-    candidate,
+    find_best,
     load_searched,
+    name_candidate,
     save_searched,
 )
-from tutorstudent.study.plans.goals import unknown_goal
+from tutorstudent.study.plans.goals import explain_unknown_goal
 from tutorstudent.study.plans.plan import Plan, Search
 from tutorstudent.study.runs.results import Run, read_runs
 
@@ -38,9 +38,9 @@ def find_levels(search: Search, folder: Path) -> Searched:
     blank = Searched(search.goal, search.harm_budget, search.plan.seeds, ())
     levels: list[Level] = []
     for environment in search.plan.environments:
-        here = [_level(environment.name, level, runs, search.goal) for level in (0, *LEVELS)]
+        here = [_make_level(environment.name, level, runs, search.goal) for level in (0, *LEVELS)]
         limit = blank._replace(levels=tuple(here)).limit(environment.name)
-        chosen = best(here, limit, len(search.plan.seeds))
+        chosen = find_best(here, limit, len(search.plan.seeds))
         levels += [item._replace(chosen=item == chosen) for item in here]
     return blank._replace(levels=tuple(levels))
 
@@ -56,8 +56,8 @@ def keep_levels(plan: Plan, searched: Searched, folder: Path) -> None:
     save_searched(searched, folder)
 
 
-def _level(environment: str, level: int, runs: Sequence[Run], goal: str) -> Level:
-    there = [run for run in runs if (run.environment, run.variant) == (environment, candidate(level))]
+def _make_level(environment: str, level: int, runs: Sequence[Run], goal: str) -> Level:
+    there = [run for run in runs if (run.environment, run.variant) == (environment, name_candidate(level))]
     if not there:
         return Level(environment, level, 0, None, None)
     reached = fmean(run.summary.get(goal, 0.0) for run in there)
@@ -68,4 +68,4 @@ def _level(environment: str, level: int, runs: Sequence[Run], goal: str) -> Leve
 def _check_goal(goal: str, runs: Sequence[Run]) -> None:
     known = {key for run in runs for key in run.summary}
     if known and goal not in known:
-        raise unknown_goal(goal, known)
+        raise explain_unknown_goal(goal, known)

@@ -38,7 +38,7 @@ class Sitting:
 
     def __init__(self, folder: Path, workers: int) -> None:
         self._path = folder / SITTINGS
-        self._earlier = _entries(self._path)
+        self._earlier = _read_entries(self._path)
         self._workers, self._runs, self._watch = workers, 0, Stopwatch()
 
     def note(self) -> None:
@@ -64,12 +64,12 @@ def load_timing(folder: Path) -> Spent:
         return Spent(float("nan"), float("nan"))
 
 
-def wall_of_sittings(folder: Path) -> list[float]:
+def read_sittings(folder: Path) -> list[float]:
     """Return the wall seconds of each sitting of a study, in their order."""
-    return [entry["wall_s"] for entry in _entries(folder / SITTINGS)]
+    return [entry["wall_s"] for entry in _read_entries(folder / SITTINGS)]
 
 
-def _entries(path: Path) -> list[dict[str, Any]]:
+def _read_entries(path: Path) -> list[dict[str, Any]]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         return [entry for entry in found if isinstance(entry["wall_s"], float)]

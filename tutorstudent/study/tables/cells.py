@@ -33,43 +33,43 @@ def count(value: float) -> str:
     return f"{value:.0f}" if value.is_integer() else number(value)
 
 
-def achieved(values: Sequence[float]) -> str:
+def mean_sd_median_iqm(values: Sequence[float]) -> str:
     """Mean, standard deviation, median and interquartile mean.
 
-    >>> achieved([1.0, 2.0, 6.0, 3.0])
+    >>> mean_sd_median_iqm([1.0, 2.0, 6.0, 3.0])
     '3.0 ± 2.2 (2.5; IQM 2.5)'
     """
     runs = spread(values)
-    return f"{about(values)} ({count(runs.median)}; IQM {number(runs.middle)})"
+    return f"{mean_sd(values)} ({count(runs.median)}; IQM {number(runs.middle)})"
 
 
-def typical(values: Sequence[float]) -> str:
+def mean_sd_median(values: Sequence[float]) -> str:
     """Mean, standard deviation and median.
 
-    >>> typical([1.0, 2.0, 6.0])
+    >>> mean_sd_median([1.0, 2.0, 6.0])
     '3.0 ± 2.6 (2)'
     """
-    return f"{about(values)} ({count(spread(values).median)})"
+    return f"{mean_sd(values)} ({count(spread(values).median)})"
 
 
-def about(values: Sequence[float]) -> str:
+def mean_sd(values: Sequence[float]) -> str:
     """Mean and standard deviation.
 
-    >>> about([1.0, 2.0, 6.0])
+    >>> mean_sd([1.0, 2.0, 6.0])
     '3.0 ± 2.6'
     """
     runs = spread(values)
     return f"{number(runs.mean)} ± {number(runs.sd)}"
 
 
-def heavy_tailed(values: Sequence[float]) -> str:
+def mean_sd_median_worst(values: Sequence[float]) -> str:
     """Mean, standard deviation, median, and the worst run, which the others hide.
 
-    >>> heavy_tailed([0.0, 0.0, 300.0])
+    >>> mean_sd_median_worst([0.0, 0.0, 300.0])
     '100 ± 173 (0; max 300)'
     """
     runs = spread(values)
-    return f"{about(values)} ({count(runs.median)}; max {count(runs.highest)})"
+    return f"{mean_sd(values)} ({count(runs.median)}; max {count(runs.highest)})"
 
 
 def mean(values: Sequence[float]) -> str:
@@ -96,10 +96,10 @@ def percent(values: Sequence[float]) -> str:
     return f"{100 * spread(values).mean:.0f} %"
 
 
-def signed(value: float) -> str:
+def add_sign(value: float) -> str:
     """Return a number with its sign.
 
-    >>> signed(2.0), signed(-2.0), signed(0.0)
+    >>> add_sign(2.0), add_sign(-2.0), add_sign(0.0)
     ('+2.0', '-2.0', '0')
     """
     return f"+{number(value)}" if value > 0 else number(value)
@@ -117,8 +117,8 @@ def difference(paired: Difference | None) -> str:
     if paired is None:
         return NOTHING
     if paired.interval is None:
-        return f"{signed(paired.mean)} ({'one pair' if paired.pairs == 1 else f'{paired.pairs} pairs'})"
-    return f"{signed(paired.mean)} [{signed(paired.interval.low)}, {signed(paired.interval.high)}]"
+        return f"{add_sign(paired.mean)} ({'one pair' if paired.pairs == 1 else f'{paired.pairs} pairs'})"
+    return f"{add_sign(paired.mean)} [{add_sign(paired.interval.low)}, {add_sign(paired.interval.high)}]"
 
 
 def correlation(r: float | None) -> str:

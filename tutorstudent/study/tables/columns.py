@@ -5,8 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.measures import Measure, per_time, per_way
-from tutorstudent.study.tables.cells import Cell, about, achieved, heavy_tailed, highest, mean, percent, total, typical
+from tutorstudent.study.numbers.measures import Measure, measure_per_time, measure_per_way
+from tutorstudent.study.tables.cells import (
+    Cell,
+    highest,
+    mean,
+    mean_sd,
+    mean_sd_median,
+    mean_sd_median_iqm,
+    mean_sd_median_worst,
+    percent,
+    total,
+)
 
 
 class Column(NamedTuple):
@@ -18,63 +28,66 @@ class Column(NamedTuple):
     """Beside it stands the paired difference to the tutor alone."""
 
 
-def found(counters: Iterable[str]) -> list[Column]:
+def make_found_columns(counters: Iterable[str]) -> list[Column]:
     """Return the columns about what was found: what the tutor counts, and what the world does."""
-    counted = [Column(Measure(name, name), achieved, compared=True) for name in counters]
-    others = [_column("encounters", "encounters", typical), _column("distance, m", "distance_m", typical)]
-    return [*counted, *_without(counted, others)]
+    counted = [Column(Measure(name, name), mean_sd_median_iqm, compared=True) for name in counters]
+    others = [
+        _make_column("encounters", "encounters", mean_sd_median),
+        _make_column("distance, m", "distance_m", mean_sd_median),
+    ]
+    return [*counted, *_leave_out(counted, others)]
 
 
-def cost() -> list[Column]:
+def make_cost_columns() -> list[Column]:
     """Return the columns about harm."""
     return [
-        Column(Measure("collided decisions", "collided"), heavy_tailed, compared=True),
-        _column("contacts", "contacts", heavy_tailed),
-        _column("violated, as the learner saw it", "violated", heavy_tailed),
-        _column("hardest contact, m/s (max)", "contact_speed_mps", highest),
-        _column("longest stall, decisions (max)", "longest_stall", highest),
+        Column(Measure("collided decisions", "collided"), mean_sd_median_worst, compared=True),
+        _make_column("contacts", "contacts", mean_sd_median_worst),
+        _make_column("violated, as the learner saw it", "violated", mean_sd_median_worst),
+        _make_column("hardest contact, m/s (max)", "contact_speed_mps", highest),
+        _make_column("longest stall, decisions (max)", "longest_stall", highest),
     ]
 
 
-def rates(counters: Iterable[str]) -> list[Column]:
+def make_rate_columns(counters: Iterable[str]) -> list[Column]:
     """Return the columns that tell more of everything from doing something better: by way and by time."""
     counted = [*((name, name) for name in counters), *HARMS]
-    made = [per(title, key) for title, key in dict(counted).items() for per in (per_way, per_time)]
-    return [Column(measure, about) for measure in made if measure.key != measure.over]
+    made = [per(title, key) for title, key in dict(counted).items() for per in (measure_per_way, measure_per_time)]
+    return [Column(measure, mean_sd) for measure in made if measure.key != measure.over]
 
 
 HARMS = (("collided decisions", "collided"), ("contacts", "contacts"), ("violated", "violated"))
 
 
-def conduct() -> list[Column]:
+def make_conduct_columns() -> list[Column]:
     """Return the columns about what the parts did."""
     return [
-        _column("simulated time, s (mean)", "time_s", mean),
-        _column("named the tutor's kind (mean)", "match_rate", percent),
-        _column("raised by the amplifier (mean)", "amplified_share", percent),
-        _column("mean level", "mean_level", mean),
-        _column("incidents (sum)", "incidents", total),
+        _make_column("simulated time, s (mean)", "time_s", mean),
+        _make_column("named the tutor's kind (mean)", "match_rate", percent),
+        _make_column("raised by the amplifier (mean)", "amplified_share", percent),
+        _make_column("mean level", "mean_level", mean),
+        _make_column("incidents (sum)", "incidents", total),
     ]
 
 
-def digest(counters: Iterable[str]) -> list[Column]:
+def make_digest_columns(counters: Iterable[str]) -> list[Column]:
     """Return the few columns that fit a narrow terminal."""
-    counted = [_column(name, name, about) for name in counters]
+    counted = [_make_column(name, name, mean_sd) for name in counters]
     others = [
-        _column("collided", "collided", about),
-        _column("contacts", "contacts", about),
-        _column("way, m", "distance_m", mean),
-        _column("stall", "longest_stall", highest),
-        _column("level", "mean_level", mean),
+        _make_column("collided", "collided", mean_sd),
+        _make_column("contacts", "contacts", mean_sd),
+        _make_column("way, m", "distance_m", mean),
+        _make_column("stall", "longest_stall", highest),
+        _make_column("level", "mean_level", mean),
     ]
-    return [*counted, *_without(counted, others)]
+    return [*counted, *_leave_out(counted, others)]
 
 
-def _without(there: Iterable[Column], others: Iterable[Column]) -> list[Column]:
+def _leave_out(there: Iterable[Column], others: Iterable[Column]) -> list[Column]:
     """Return the other columns but for those whose number stands there already."""
     keys = [column.measure.key for column in there]
     return [column for column in others if column.measure.key not in keys]
 
 
-def _column(title: str, key: str, cell: Cell) -> Column:
+def _make_column(title: str, key: str, cell: Cell) -> Column:
     return Column(Measure(title, key), cell)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tutorstudent.study.numbers.comparisons import Comparison, Family, families
+from tutorstudent.study.numbers.comparisons import Comparison, Family, make_families
 from tutorstudent.study.numbers.measures import PER
-from tutorstudent.study.numbers.significance import LEVEL, fewest_pairs
-from tutorstudent.study.numbers.verdicts import MARGIN, Judgement, harm_rate, judgements
+from tutorstudent.study.numbers.significance import LEVEL, count_fewest_pairs
+from tutorstudent.study.numbers.verdicts import MARGIN, Judgement, judge_variants, make_harm_rate
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Study
 from tutorstudent.study.tables.cells import correlation, difference, improvement, number, probability
@@ -19,26 +19,26 @@ ABOUT_VERDICTS = (
 )
 
 
-def difference_tables(study: Study, environment: Environment) -> list[Table]:
+def make_difference_tables(study: Study, environment: Environment) -> list[Table]:
     """Return the differences to the tutor alone and to the controls in one environment."""
     made = []
-    for family in families(study):
-        rows = tuple(_row(item) for item in family.comparisons if item.environment == environment.name)
+    for family in make_families(study):
+        rows = tuple(_make_row(item) for item in family.comparisons if item.environment == environment.name)
         if rows:
-            made.append(Table(family.title, HEADER, rows, _about(family)))
+            made.append(Table(family.title, HEADER, rows, _describe_family(family)))
     return made
 
 
-def verdict_tables(study: Study, environment: Environment) -> list[Table]:
+def make_verdict_tables(study: Study, environment: Environment) -> list[Table]:
     """Return the verdicts about harm; no table without a tutor alone to hold it against."""
-    found = judgements(study, environment)
-    measure = harm_rate(study, environment)
+    found = judge_variants(study, environment)
+    measure = make_harm_rate(study, environment)
     title = "Does it harm more than the tutor alone?"
     header = (measure.title, "difference [one-sided 95 % bounds]", "margin", "verdict")
-    return [Table(title, header, tuple(map(_judged, found)), ABOUT_VERDICTS)] if found else []
+    return [Table(title, header, tuple(map(_make_verdict_row, found)), ABOUT_VERDICTS)] if found else []
 
 
-def _row(item: Comparison) -> Row:
+def _make_row(item: Comparison) -> Row:
     cells = (
         item.against,
         item.measure.title,
@@ -52,7 +52,7 @@ def _row(item: Comparison) -> Row:
     return Row(item.variant.name, item.variant.control, cells)
 
 
-def _about(family: Family) -> str:
+def _describe_family(family: Family) -> str:
     tests, pairs = family.tests, max(item.difference.pairs for item in family.comparisons)
     text = "r: correlation of the two over seeds. Better in: share of pairs, ties half, with Wilson's 95 % interval. "
     if tests:
@@ -64,11 +64,11 @@ def _about(family: Family) -> str:
         text += "p: none, with so few pairs."
     if any(item.variant.control for item in family.comparisons):
         text += " Nothing is claimed of controls, so they are not tested."
-    if tests and pairs < fewest_pairs(tests):
-        text += f" No p can get below {LEVEL} after Holm with {pairs} pairs; it takes {fewest_pairs(tests)}."
+    if tests and pairs < count_fewest_pairs(tests):
+        text += f" No p can get below {LEVEL} after Holm with {pairs} pairs; it takes {count_fewest_pairs(tests)}."
     return text
 
 
-def _judged(item: Judgement) -> Row:
+def _make_verdict_row(item: Judgement) -> Row:
     cells = (number(item.harm), difference(item.difference), f"+{MARGIN:g}", str(item.verdict))
     return Row(item.variant, item.control, cells)

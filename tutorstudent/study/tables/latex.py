@@ -46,42 +46,42 @@ MINUS = re.compile(r"(?<![\w.-])-(?=\d)")
 DASHES = re.compile("-(?=-)")
 
 
-def document(sections: Iterable[tuple[str, Iterable[Table]]]) -> str:
+def make_document(sections: Iterable[tuple[str, Iterable[Table]]]) -> str:
     """Return a document with a section of tables for each title."""
     parts = [
-        f"\\section*{{{escaped(title)}}}\n{''.join(map(latex, tables))}\\clearpage\n" for title, tables in sections
+        f"\\section*{{{escape(title)}}}\n{''.join(map(make_latex, tables))}\\clearpage\n" for title, tables in sections
     ]
     return HEAD + "".join(parts) + FOOT
 
 
-def latex(table: Table) -> str:
+def make_latex(table: Table) -> str:
     """Return one table with its title above and its note below; controls are set in italics."""
-    header = " & ".join(["", *map(escaped, table.header)])
-    body = "".join(f"{_line(row)} \\\\\n" for row in table.rows)
-    note = f"\n\\par\\smallskip\\footnotesize {escaped(table.note)}" if table.note else ""
+    header = " & ".join(["", *map(escape, table.header)])
+    body = "".join(f"{_write_line(row)} \\\\\n" for row in table.rows)
+    note = f"\n\\par\\smallskip\\footnotesize {escape(table.note)}" if table.note else ""
     return (
-        f"\\begin{{table}}[htbp]\n\\centering\\small\n\\caption{{{escaped(table.title)}}}\n"
+        f"\\begin{{table}}[htbp]\n\\centering\\small\n\\caption{{{escape(table.title)}}}\n"
         f"\\fitted{{\\begin{{tabular}}{{l{'r' * len(table.header)}}}\n\\toprule\n{header} \\\\\n\\midrule\n{body}"
         f"\\bottomrule\n\\end{{tabular}}}}{note}\n\\end{{table}}\n"
     )
 
 
-def escaped(text: str) -> str:
+def escape(text: str) -> str:
     r"""Return text that LaTeX sets as it stands; what its fonts lack is told by its code.
 
-    >>> print(escaped("50 % of a_b: -3.5 [-4, +1]"), escaped("猫"))
+    >>> print(escape("50 % of a_b: -3.5 [-4, +1]"), escape("猫"))
     50 \% of a\_b: $-$3.5 {[}$-$4, +1{]} {[}U+732B{]}
     """
-    pieces = ("".join(map(_character, piece)) for piece in MINUS.split(text))
+    pieces = ("".join(map(_escape_character, piece)) for piece in MINUS.split(text))
     return "$-$".join(DASHES.sub("-{}", piece) for piece in pieces)  # two hyphens would be set as a dash
 
 
-def _line(row: Row) -> str:
+def _write_line(row: Row) -> str:
     style = "textit" if row.control else "textbf"
-    return " & ".join([f"\\{style}{{{escaped(row.name)}}}", *map(escaped, row.cells)])
+    return " & ".join([f"\\{style}{{{escape(row.name)}}}", *map(escape, row.cells)])
 
 
-def _character(character: str) -> str:
+def _escape_character(character: str) -> str:
     if character in MEANINGS:
         return MEANINGS[character]
     if character.isspace():

@@ -11,7 +11,7 @@ from rich.text import Text
 from tutorstudent.study.tables.table import Table
 
 
-def markdown(table: Table) -> str:
+def make_markdown(table: Table) -> str:
     """Return a table as GitHub's Markdown."""
     header = ["", *table.header]
     lines = [header, ["---", *("---:" for _ in table.header)]]
@@ -21,7 +21,7 @@ def markdown(table: Table) -> str:
     return f"**{table.title}**\n\n{body}\n{note}"
 
 
-def html(table: Table, colours: Mapping[str, str]) -> str:
+def make_html(table: Table, colours: Mapping[str, str]) -> str:
     """Return a table with its note as HTML; `colours` has a CSS colour for each variant."""
     head = "".join(f'<th scope="col">{escape(title)}</th>' for title in table.header)
     rows = []
@@ -37,7 +37,7 @@ def html(table: Table, colours: Mapping[str, str]) -> str:
     )
 
 
-def terminal(table: Table) -> RichTable:
+def make_terminal_table(table: Table) -> RichTable:
     """Return a table for the terminal; controls are set in italics."""
     drawn = RichTable(
         title=table.title, title_justify="left", title_style="bold", box=None, pad_edge=False, padding=(0, 2, 0, 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, level_scale
+from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, list_level_colours
 from tutorstudent.study.plans.constant_level import Level, Searched
 from tutorstudent.study.tables.cells import NOTHING, number
 from tutorstudent.study.tables.table import Row, Table
@@ -10,10 +10,12 @@ from tutorstudent.study.tables.table import Row, Table
 TITLE = "The search for the best constant level"
 
 
-def search_table(searched: Searched, environment: str) -> Table:
+def make_search_table(searched: Searched, environment: str) -> Table:
     """Return what every level came to in one environment; without rows where none was searched for."""
     rows = tuple(
-        Row(_name(item.level), True, _cells(item)) for item in searched.levels if item.environment == environment
+        Row(_name_level(item.level), True, _make_cells(item))
+        for item in searched.levels
+        if item.environment == environment
     )
     seeds = ", ".join(map(str, searched.seeds))
     note = (
@@ -26,16 +28,16 @@ def search_table(searched: Searched, environment: str) -> Table:
     return Table(TITLE, ("runs", searched.goal, "violated", ""), rows, note)
 
 
-def level_colours_by_name() -> dict[str, str]:
+def colour_levels() -> dict[str, str]:
     """Return the colour of each row."""
-    return {_name(level): level_scale()[level] for level in range(HIGHEST_LEVEL + 1)}
+    return {_name_level(level): list_level_colours()[level] for level in range(HIGHEST_LEVEL + 1)}
 
 
-def _name(level: int) -> str:
+def _name_level(level: int) -> str:
     return f"level {level}" if level else "level 0, the tutor alone"
 
 
-def _cells(item: Level) -> tuple[str, ...]:
+def _make_cells(item: Level) -> tuple[str, ...]:
     goal = NOTHING if item.goal is None else number(item.goal)
     violated = NOTHING if item.violated is None else f"{item.violated:.2%}"
     return str(item.runs), goal, violated, "chosen" if item.chosen else ""

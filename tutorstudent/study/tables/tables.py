@@ -5,12 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tutorstudent.study.numbers.measures import Measure
-from tutorstudent.study.numbers.pairs import paired
+from tutorstudent.study.numbers.pairs import make_pairs
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 from tutorstudent.study.tables.cells import NOTHING, difference
-from tutorstudent.study.tables.columns import Column, conduct, cost, digest, found, rates
-from tutorstudent.study.tables.difference_tables import difference_tables, verdict_tables
+from tutorstudent.study.tables.columns import (
+    Column,
+    make_conduct_columns,
+    make_cost_columns,
+    make_digest_columns,
+    make_found_columns,
+    make_rate_columns,
+)
+from tutorstudent.study.tables.difference_tables import make_difference_tables, make_verdict_tables
 from tutorstudent.study.tables.table import Row, Table
 
 CONTROLS = (
@@ -25,34 +32,39 @@ INTERVALS = (
 )
 
 
-def tables(study: Study, environment: Environment) -> list[Table]:
+def make_tables(study: Study, environment: Environment) -> list[Table]:
     """Return what was found, what it cost and what the parts did, then what is compared to what."""
     counters = environment.counters()
     described = [
-        _table(study, environment, "What was found", found(counters)),
-        _table(study, environment, "What it cost", cost()),
-        _table(study, environment, "By way and by time", rates(counters)),
-        _table(study, environment, "What the parts did", conduct()),
+        _make_table(study, environment, "What was found", make_found_columns(counters)),
+        _make_table(study, environment, "What it cost", make_cost_columns()),
+        _make_table(study, environment, "By way and by time", make_rate_columns(counters)),
+        _make_table(study, environment, "What the parts did", make_conduct_columns()),
     ]
-    compared = [*verdict_tables(study, environment), *difference_tables(study, environment)]
+    compared = [*make_verdict_tables(study, environment), *make_difference_tables(study, environment)]
     return [table for table in described if len(table.header) > 1] + compared
 
 
-def digest_table(study: Study, environment: Environment) -> Table:
+def make_digest_table(study: Study, environment: Environment) -> Table:
     """Return the one table that a terminal shows; the others stand in the page and in table.md."""
     title = f"{len(study.plan.seeds)} runs each, mean ± standard deviation"
-    table = _table(study, environment, title, digest(environment.counters()))
+    table = _make_table(study, environment, title, make_digest_columns(environment.counters()))
     return Table(title, table.header[1:], tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
 
 
-def runs_table(study: Study, environment: Environment) -> Table:
+def make_runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
     counters = environment.counters()
-    columns = [*found(counters), *cost(), *rates(counters), *conduct()]
+    columns = [
+        *make_found_columns(counters),
+        *make_cost_columns(),
+        *make_rate_columns(counters),
+        *make_conduct_columns(),
+    ]
     there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column.measure for column in columns if column.measure.known(there)]
+    shown = [column.measure for column in columns if column.measure.is_known(there)]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_alone(run, measure) for measure in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_make_run_cell(run, measure) for measure in shown)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
@@ -60,29 +72,29 @@ def runs_table(study: Study, environment: Environment) -> Table:
     return Table("Every run", header, tuple(rows))
 
 
-def _table(study: Study, environment: Environment, title: str, columns: Sequence[Column]) -> Table:
+def _make_table(study: Study, environment: Environment, title: str, columns: Sequence[Column]) -> Table:
     there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column for column in columns if column.measure.known(there)]
+    shown = [column for column in columns if column.measure.is_known(there)]
     header = ["runs"]
     for column in shown:
         is_compared = column.compared and environment.reference
         header += [column.measure.title, "difference"] if is_compared else [column.measure.title]
-    rows = [_row(study, environment, variant, shown) for variant in environment.variants]
+    rows = [_make_row(study, environment, variant, shown) for variant in environment.variants]
     return Table(title, tuple(header), tuple(rows))
 
 
-def _row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
-    runs, cells = study.of(environment.name, variant.name), [_runs(study, environment, variant.name)]
+def _make_row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
+    runs, cells = study.of(environment.name, variant.name), [_count_runs(study, environment, variant.name)]
     reference = study.of(environment.name, environment.reference)
     for column in columns:
-        cells.append(_cell(runs, column))
+        cells.append(_make_cell(runs, column))
         if column.compared and environment.reference:
             itself = variant.name == environment.reference
-            cells.append(NOTHING if itself else _difference(runs, reference, column.measure))
+            cells.append(NOTHING if itself else _make_difference(runs, reference, column.measure))
     return Row(variant.name, variant.control, tuple(cells))
 
 
-def _runs(study: Study, environment: Environment, variant: str) -> str:
+def _count_runs(study: Study, environment: Environment, variant: str) -> str:
     place = (environment.name, variant)
     told = {"failed": study.failures, "not run yet": study.waiting}
     counts = {word: sum(item[:2] == place for item in found) for word, found in told.items()}
@@ -90,17 +102,17 @@ def _runs(study: Study, environment: Environment, variant: str) -> str:
     return f"{len(study.of(*place))}" + (f" ({lacking})" if lacking else "")
 
 
-def _cell(runs: Sequence[Run], column: Column) -> str:
-    values = column.measure.by_seed(runs)
+def _make_cell(runs: Sequence[Run], column: Column) -> str:
+    values = column.measure.read_by_seed(runs)
     missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
     return column.cell(list(values.values())) + missing if values else NOTHING
 
 
-def _difference(runs: Sequence[Run], reference: Sequence[Run], measure: Measure) -> str:
-    pairs = paired(measure.by_seed(runs), measure.by_seed(reference))
+def _make_difference(runs: Sequence[Run], reference: Sequence[Run], measure: Measure) -> str:
+    pairs = make_pairs(measure.read_by_seed(runs), measure.read_by_seed(reference))
     return difference(pairs.difference() if pairs else None)
 
 
-def _alone(run: Run, measure: Measure) -> str:
-    value = measure.of(run.summary)
+def _make_run_cell(run: Run, measure: Measure) -> str:
+    value = measure.read(run.summary)
     return NOTHING if value is None else f"{value:.6g}"
