@@ -11,7 +11,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from tutorstudent.core.running.arrays import load_arrays
-from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, draw_way, make_level_colours
+from tutorstudent.study.pictures.maps import COLOURED_LEVELS, draw_way, make_level_colours
 from tutorstudent.study.runs.sketches import load_sketch
 
 ENVIRONMENT = "cave-box"
@@ -30,7 +30,7 @@ def draw(study: Path, target: Path) -> None:
         columns = [arrays["events"][:, names.index(name)] for name in ("x_m", "y_m", "distance_m")]
         draw_way(axis, sketch, arrays, np.column_stack(columns[:2]))
         axis.set_title(f"{title}: {columns[2].sum():.0f} m", fontsize=11)
-    colours = ScalarMappable(Normalize(0, HIGHEST_LEVEL), make_level_colours())
+    colours = ScalarMappable(Normalize(0, COLOURED_LEVELS), make_level_colours())
     figure.colorbar(colours, ax=axes, label="amplification level", shrink=0.85, pad=0.01)
     figure.savefig(target, dpi=110, metadata={"Software": None})
 

@@ -19,7 +19,7 @@ from tutorstudent.study.pictures.palette import FLOOR, MAP_COLOURS, WALL, Palett
 from tutorstudent.study.pictures.svg import STYLE, make_sheet, make_svg
 
 SIZE_PX = 300
-HIGHEST_LEVEL = 8
+COLOURED_LEVELS = 8
 """The thesis's highest level; higher ones have its colour."""
 
 
@@ -69,7 +69,7 @@ def make_level_colours() -> Colormap:
 
 def list_level_colours() -> list[str]:
     """Return a colour for each level, for the page's legend."""
-    return [to_hex(make_level_colours()(level / HIGHEST_LEVEL)) for level in range(HIGHEST_LEVEL + 1)]
+    return [to_hex(make_level_colours()(level / COLOURED_LEVELS)) for level in range(COLOURED_LEVELS + 1)]
 
 
 def _make_way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
@@ -79,7 +79,7 @@ def _make_way(points: NDArray[np.float64], arrays: Arrays) -> LineCollection:
     way = LineCollection(
         list(steps[together]),
         cmap=make_level_colours(),
-        norm=Normalize(0, HIGHEST_LEVEL),
+        norm=Normalize(0, COLOURED_LEVELS),
         linewidths=1.0,
         alpha=0.8,
         capstyle="round",

@@ -12,7 +12,7 @@ from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study.plans.plan import Environment, Plan, Variant
 
 BEST = "best-constant"
-ALONE = "tutor-alone"
+TUTOR_ALONE = "tutor-alone"
 LEVELS = range(1, 9)
 """Those of the thesis (3.3.2) that amplify."""
 FOLDER = "search"
@@ -68,7 +68,7 @@ def name_candidate(level: int) -> str:
     >>> name_candidate(0), name_candidate(3)
     ('tutor-alone', 'level-3')
     """
-    return f"level-{level}" if level else ALONE
+    return f"level-{level}" if level else TUTOR_ALONE
 
 
 def find_best(levels: Sequence[Level], limit: float, runs: int) -> Level | None:

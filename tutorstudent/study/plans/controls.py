@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from tutorstudent.study.plans.constant_level import ALONE, LEVELS, name_candidate
+from tutorstudent.study.plans.constant_level import LEVELS, TUTOR_ALONE, name_candidate
 from tutorstudent.study.plans.resolving import Resolved
 
 UNSEARCHED = 4
@@ -58,7 +58,7 @@ def make_candidates(resolved: Resolved) -> Iterator[Control]:
 
 
 def _make_tutor_alone(resolved: Resolved) -> Control:
-    return _replace_student(resolved, ALONE, "The tutor, never amplified.", {"use": "silent"})
+    return _replace_student(resolved, TUTOR_ALONE, "The tutor, never amplified.", {"use": "silent"})
 
 
 def _make_constant(resolved: Resolved, name: str, about: str, level: int) -> Control:

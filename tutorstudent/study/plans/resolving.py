@@ -16,7 +16,7 @@ from tutorstudent.core.running.observers import Entries
 from tutorstudent.core.running.runner import make_trial_seed
 
 Values = Mapping[str, Any]
-ALONE = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
+UNAMPLIFIED = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
 """What makes a difference where nothing is amplified."""
 
 
@@ -92,5 +92,5 @@ def is_same(one: Values, other: Values) -> bool:
 
 def _find_essence(values: Values) -> dict[str, Any]:
     if is_tutor_alone(values):
-        return {key: values[key] for key in ALONE}
+        return {key: values[key] for key in UNAMPLIFIED}
     return {key: value for key, value in values.items() if key not in ("seed", "decisions")}

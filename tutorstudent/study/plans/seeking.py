@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.study.plans.constant_level import ALONE
+from tutorstudent.study.plans.constant_level import TUTOR_ALONE
 from tutorstudent.study.plans.controls import make_candidates
 from tutorstudent.study.plans.goals import put_goal_first
 from tutorstudent.study.plans.plan import Environment, Plan, Search, Variant
@@ -43,4 +43,4 @@ def _make_environment(place: str, learner: str, resolved: Resolved, goal: str, r
         values = complete(f"control '{control.name}' of '{learner}'", control.values, registry)
         about = f"{control.about} A control of {learner}."
         variants.append(Variant(control.name, about, True, values, counters))
-    return Environment(place, tuple(variants), ALONE)
+    return Environment(place, tuple(variants), TUTOR_ALONE)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tutorstudent.study.pictures.maps import HIGHEST_LEVEL, list_level_colours
+from tutorstudent.study.pictures.maps import COLOURED_LEVELS, list_level_colours
 from tutorstudent.study.plans.constant_level import Level, Searched
 from tutorstudent.study.tables.cells import NOTHING, number
 from tutorstudent.study.tables.table import Row, Table
@@ -30,7 +30,7 @@ def make_search_table(searched: Searched, environment: str) -> Table:
 
 def colour_levels() -> dict[str, str]:
     """Return the colour of each row."""
-    return {_name_level(level): list_level_colours()[level] for level in range(HIGHEST_LEVEL + 1)}
+    return {_name_level(level): list_level_colours()[level] for level in range(COLOURED_LEVELS + 1)}
 
 
 def _name_level(level: int) -> str:
