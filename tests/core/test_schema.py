@@ -11,11 +11,12 @@ import jsonschema
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.files.pipeline import KEYS, SLOTS, Pipeline
+from tutorstudent.core.files.pipeline import KEYS, Pipeline
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.schema import make_schema
 from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
+from tutorstudent.core.roles.interfaces import SLOTS
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted((ROOT / "examples").rglob("*.yaml"))

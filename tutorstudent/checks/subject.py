@@ -113,7 +113,7 @@ class Subject:
             return _visit(self.world, self.action)
         members = list(walk_family(self.sample))
         for member in members:
-            if hasattr(member, "examples"):
+            if type(member).examples is not Component.examples:
                 return _find_examples(member, self.action)
             claim = find_state_claim(type(member))
             if hasattr(claim, "examples"):

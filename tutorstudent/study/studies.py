@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
+from typing import NamedTuple
 
 from tutorstudent.core.files.durable import PARTIAL, lock_folder, remove_partial
 from tutorstudent.core.files.registry import Registry
@@ -21,6 +22,13 @@ from tutorstudent.study.runs.results import Study, pending, read_study
 from tutorstudent.study.runs.searching import find_levels, keep_levels
 from tutorstudent.study.runs.sketches import save_sketch
 from tutorstudent.study.runs.timing import Sitting
+
+
+class Workforce(NamedTuple):
+    """Who runs the jobs, and in how many processes."""
+
+    workers: int
+    backend: Backend
 
 
 def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
@@ -122,7 +130,7 @@ def _draw(plan: Plan, folder: Path) -> None:
 
 def _run_all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     """Run the search, if there is one, and then everything else; return the plan with what was found."""
-    sitting, workforce = Sitting(folder, workers), (workers, backend)
+    sitting, workforce = Sitting(folder, workers), Workforce(workers, backend)
     if plan.search is not None:
         _run_jobs("search: constant levels", plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
         searched = find_levels(plan.search, folder)
@@ -133,7 +141,7 @@ def _run_all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     return plan
 
 
-def _run_jobs(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
+def _run_jobs(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: Workforce) -> None:
     left = pending(folder, jobs)
     with closing(run_jobs(left, folder, *workforce)) as results:
         for _ in show_progress(results, title, len(jobs), done=len(jobs) - len(left)):

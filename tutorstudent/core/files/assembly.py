@@ -24,8 +24,11 @@ class Assembler:
     def __init__(self, document: Document, registry: Registry) -> None:
         self._document = document
         self._registry = registry
-        self.slots: dict[str, Location] = {}
-        """Where slots stand in the document that are named otherwise there, such as ``conditions.bumped``."""
+        self._slots: dict[str, Location] = {}
+
+    def place_slot(self, slot: str, at: Location) -> None:
+        """Say where a slot stands in the document, if it has another name there, such as ``conditions.bumped``."""
+        self._slots[slot] = at
 
     def make_part(self, role: str, node: Any, at: Location) -> Any:
         """Return the component that a node names: a word, or a mapping with ``use`` and the options beside it."""
@@ -111,7 +114,7 @@ class Assembler:
         return self.make_part(option.role.role, value, at)
 
     def _find_location(self, slot: str) -> Location:
-        for name, at in self.slots.items():
+        for name, at in self._slots.items():
             if slot == name or slot.startswith(f"{name}."):
                 return (*at, *_split_keys(slot[len(name) + 1 :]))
         return _split_keys(slot)

@@ -28,25 +28,25 @@ def write_whole(path: Path, text: str) -> None:
 
 
 @contextmanager
-def replace_folder(place: Path) -> Iterator[Path]:
-    """Yield an empty folder beside the place; at the end it takes the place of whatever stands there.
+def replace_folder(folder: Path) -> Iterator[Path]:
+    """Yield an empty folder beside `folder`; at the end it replaces whatever is there.
 
-    Its files must not be in folders of their own. If an error ends the block, the place stays as it was.
+    It must hold files only, no folders. If an error ends the block, `folder` stays as it was.
     """
     # Another name each time: a process that outlived its study may still be writing the same run.
-    partial = place.with_name(f".{place.name}.{uuid4().hex}{PARTIAL}")
+    partial = folder.with_name(f".{folder.name}.{uuid4().hex}{PARTIAL}")
     partial.mkdir(parents=True)
     try:
         yield partial
         for path in partial.iterdir():
             _sync_file(path)
         _sync_folder(partial)
-        if place.exists():
-            shutil.rmtree(place)
-        partial.replace(place)
+        if folder.exists():
+            shutil.rmtree(folder)
+        partial.replace(folder)
     finally:
         shutil.rmtree(partial, ignore_errors=True)
-    _sync_folder(place.parent)
+    _sync_folder(folder.parent)
 
 
 @contextmanager

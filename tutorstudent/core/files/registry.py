@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import inspect
+import os
 import re
+import sys
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from importlib import metadata
-from typing import NamedTuple
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from tutorstudent.core.files.loading import (
+    ALLOW_LIST,
+    TRACE,
     Broken,
     find_distribution,
     find_double,
@@ -80,6 +86,12 @@ class Registry:
             if is_ours(entry_point) or is_allowed(entry_point):
                 registry.load(entry_point)
         return registry
+
+    def copy(self) -> Registry:
+        """Return a registry of the same parts, which can be added to by itself."""
+        other = Registry()
+        other._found, other.broken = dict(self._found), list(self.broken)
+        return other
 
     def load(self, entry_point: metadata.EntryPoint) -> None:
         """Add the components of one entry point: all of them, or none and a `Broken` record."""
@@ -165,3 +177,32 @@ class Registry:
                 f"{cls.role} '{cls.name}' of '{entry_point}' is already there, from "
                 f"'{taken.entry_point}' ({taken.distribution}); rename one of them."
             )
+
+
+def find_registry() -> Registry:
+    """Return `Registry.discover()`, made once as long as the same plugins are installed; what is broken is tried again.
+
+    Discovering takes a tenth of a second, too much for everything that builds one pipeline after the other.
+    """
+    found = _discover(_stamp_installed())
+    if found.broken:
+        _discover.cache_clear()
+    return found.copy()
+
+
+@lru_cache(maxsize=1)
+def _discover(_: tuple[Any, ...]) -> Registry:
+    return Registry.discover()
+
+
+def _stamp_installed() -> tuple[Any, ...]:
+    # A distribution that comes or goes changes its folder; the environment says which plugins are loaded.
+    folders = tuple((folder, _read_time(Path(folder))) for folder in sys.path)
+    return folders, os.environ.get(ALLOW_LIST), os.environ.get(TRACE)
+
+
+def _read_time(folder: Path) -> int:
+    try:
+        return folder.stat().st_mtime_ns
+    except OSError:
+        return 0

@@ -96,8 +96,13 @@ def _make_number(value: Any) -> float:
         return math.nan
 
 
-def write_run(directory: Path, finished: Finished) -> str | None:
+def write_run(directory: Path, finished: Finished, final: Path | None = None) -> str | None:
     """Write the run's files into `directory`.
+
+    Args:
+        directory: New, empty, or with an earlier run in it.
+        finished: The run.
+        final: What messages call the directory, where it will be moved afterwards.
 
     Returns:
         None, or a sentence that says why what was learned could not be saved; the other files are there.
@@ -105,15 +110,17 @@ def write_run(directory: Path, finished: Finished) -> str | None:
     Raises:
         PipelineError: if the directory cannot be written.
     """
+    final = final or directory
     prepare(directory)
-    with explain_write_errors(directory):
+    with explain_write_errors(final):
         with (directory / "pipeline.yaml").open("w", encoding="utf-8") as stream:
             YAML().dump(finished.resolved, stream)
         save_arrays(directory / "decisions.npz", finished.decisions)
         text = json.dumps(_make_record(finished), indent=2, sort_keys=True, allow_nan=False)
         (directory / "run.json").write_text(f"{text}\n", encoding="utf-8")
         (directory / "learned.npz").unlink(missing_ok=True)
-    return _save_learned(directory / "learned.npz", finished.engine)
+    problem = _save_learned(directory / "learned.npz", finished.engine)
+    return problem and f"{final / 'learned.npz'}: {problem}"
 
 
 def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
@@ -122,7 +129,7 @@ def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
     except Exception as error:  # whatever a part's state_dict() does, the run has been paid for
         path.unlink(missing_ok=True)
         why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
-        return f"{path}: what was learned could not be saved: {why}. The other files of the run are written."
+        return f"what was learned could not be saved: {why}. The other files of the run are written."
     return None
 
 
@@ -141,8 +148,8 @@ def prepare(directory: Path) -> None:
 
 
 @contextmanager
-def explain_write_errors(place: Path) -> Iterator[None]:
-    """Turn what the operating system says into a sentence about the place.
+def explain_write_errors(path: Path) -> Iterator[None]:
+    """Turn what the operating system says into a sentence about a file or folder.
 
     Raises:
         PipelineError: if something there cannot be read or written.
@@ -151,7 +158,7 @@ def explain_write_errors(place: Path) -> Iterator[None]:
         yield
     except OSError as error:
         reason = error.strerror or str(error)
-        raise PipelineError(f"{place}: cannot be written: {reason}. Name a directory that you may write to.") from None
+        raise PipelineError(f"{path}: cannot be written: {reason}. Name a directory that you may write to.") from None
 
 
 def _make_record(finished: Finished) -> dict[str, Any]:

@@ -9,8 +9,9 @@ from pydantic.json_schema import models_json_schema
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.extending import EXTENDS
 from tutorstudent.core.files.optiontable import read_default
-from tutorstudent.core.files.pipeline import DEFAULTS, SLOTS, Header
+from tutorstudent.core.files.pipeline import DEFAULTS, Header
 from tutorstudent.core.files.registry import ROLES, Registry
+from tutorstudent.core.roles.interfaces import SLOTS
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.part_options import ROLE_KEY
 

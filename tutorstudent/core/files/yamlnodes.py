@@ -95,8 +95,8 @@ class NodeReader:
     def _read_key(self, node: Node, at: Location) -> str:
         if isinstance(node, ScalarNode) and str(node.tag) == f"{STANDARD}str":
             return str(node.value)
-        shown = node.value if isinstance(node, ScalarNode) else "in brackets"
-        raise self._make_error(node, at, f"the key {shown} is not a word; quote it.")
+        found = node.value if isinstance(node, ScalarNode) else "in brackets"
+        raise self._make_error(node, at, f"the key {found} is not a word; quote it.")
 
     def _read_scalar(self, node: ScalarNode, tag: str, at: Location) -> Any:
         try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import abc
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
@@ -115,6 +115,13 @@ class Component(abc.ABC):
                     f"it takes {list_names(nested)}."
                 )
             nested[key].load_state_dict(value)
+
+    def examples(self) -> Sequence[Any]:
+        """Return states to try the part with, for the conformance checks; called on a bound part of its own.
+
+        A part that works with the states of one class need not say: the class may have a class method `examples`.
+        """
+        return ()
 
     def describe(self) -> dict[str, Any]:
         """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""

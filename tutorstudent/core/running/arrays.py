@@ -49,10 +49,10 @@ def nest(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     state: dict[str, Any] = {}
     for path, array in arrays.items():
         *parents, key = (unquote(word) for word in path.split("/"))
-        place = state
+        branch = state
         for parent in parents:
-            place = place.setdefault(parent, {})
-        place[key] = array.item() if array.ndim == 0 else array
+            branch = branch.setdefault(parent, {})
+        branch[key] = array.item() if array.ndim == 0 else array
     return state
 
 

@@ -33,10 +33,10 @@ class Axis(NamedTuple):
 def make_decision_axis(decisions: float) -> Axis:
     """Return the scale of decisions."""
     ticks = MaxNLocator(4, integer=True, steps=STEPS).tick_values(0, decisions)
-    shown = tuple(
+    labelled = tuple(
         (tick, f"{tick / 1000:g}k" if tick >= 1000 else f"{tick:g}") for tick in ticks if 0 <= tick <= decisions
     )
-    return Axis(decisions, shown, lambda values: values / decisions)
+    return Axis(decisions, labelled, lambda values: values / decisions)
 
 
 def make_value_axis(highest: Sequence[float]) -> Axis:

@@ -32,9 +32,9 @@ class Gallery(NamedTuple):
 
 def make_gallery(gallery: Gallery) -> str:
     """Return a gallery with its heading."""
-    shown = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
+    figures = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
     note = f'<p class="note">{gallery.note}</p>'
-    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'
+    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{figures}</div>'
 
 
 def make_rate_galleries(

@@ -137,9 +137,9 @@ def _find_obstacles(axes: Axes, gains: Gains) -> list[Point]:
     return found
 
 
-def _move_to_paper(axes: Axes, places: Iterable[Sequence[float]]) -> list[Point]:
-    """Return where places of the picture's scales stand on the drawing, in points."""
-    drawn = axes.transData.transform(np.reshape(list(places), (-1, 2))) * 72 / axes.figure.dpi
+def _move_to_paper(axes: Axes, points: Iterable[Sequence[float]]) -> list[Point]:
+    """Return where points of the picture's scales stand on the drawing, in points."""
+    drawn = axes.transData.transform(np.reshape(list(points), (-1, 2))) * 72 / axes.figure.dpi
     return [(float(x), float(y)) for x, y in drawn]
 
 

@@ -14,18 +14,18 @@ UNBOUNDED = ("share:", "violated:")
 """What begins a name in a summary that only some runs have."""
 
 
-def find_goal(asked: str, places: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
+def find_goal(asked: str, environments: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
     """Return the name of what a run is to have most of; empty where nothing counts it.
 
     Args:
         asked: For by name; empty for what the learner's observers count first, else what its world says.
-        places: The pipelines in each environment.
+        environments: The pipelines of each.
         registry: Of the plugins.
 
     Raises:
         PipelineError: if the goal that is asked for is nothing that a run counts.
     """
-    pipelines = list(places)
+    pipelines = list(environments)
     learners = [found[name] for found in pipelines if (name := find_learner(found))]
     first = next(iter([*learners, *pipelines[0].values()]))
     if asked:
@@ -56,7 +56,7 @@ def _check(goal: str, resolved: Resolved, registry: Registry) -> None:
     """Let the tutor alone take one decision to see what is counted, before all are taken."""
     if goal.startswith(UNBOUNDED):
         return
-    alone = next(make_candidates(resolved)).values
-    known = run_pipeline(reread(f"--goal {goal}", alone | {"decisions": 1}, registry)).summary
+    tutor_alone = next(make_candidates(resolved)).values
+    known = run_pipeline(reread(f"--goal {goal}", tutor_alone | {"decisions": 1}, registry)).summary
     if goal not in known:
         raise explain_unknown_goal(goal, known)

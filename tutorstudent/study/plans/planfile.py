@@ -127,13 +127,13 @@ def _walk(there: Any, asked: Any, at: str) -> Iterator[str]:
             yield f"{at}: {_shorten(there)} there, {_shorten(asked)} now"
         return
     for key in there | asked:
-        place = f"{at}.{key}" if at else str(key)
+        below = f"{at}.{key}" if at else str(key)
         if key not in asked:
-            yield f"{place}: only there"
+            yield f"{below}: only there"
         elif key not in there:
-            yield f"{place}: only now"
+            yield f"{below}: only now"
         else:
-            yield from _walk(there[key], asked[key], place)
+            yield from _walk(there[key], asked[key], below)
 
 
 def _index_by_name(value: Any) -> Any:

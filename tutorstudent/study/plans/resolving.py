@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from contextlib import closing
 from typing import Any, NamedTuple
 
-from tutorstudent.core.files.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.files.pipeline import Pipeline, describe
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.interfaces import SLOTS
 from tutorstudent.core.roles.leaves import Encoder
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.observers import Entries

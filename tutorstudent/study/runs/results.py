@@ -106,16 +106,16 @@ def read_runs(folder: Path, jobs: Iterable[Job]) -> tuple[list[Run], list[Failur
 
 def read_run(folder: Path, job: Job) -> Run | Failure:
     """Read what one job left below a folder; a failure says why there is nothing, or what is damaged."""
-    place = folder / job.folder
-    if not (place / RECORD).exists():
-        return Failure(job.environment, job.variant, job.seed, _find_problem(place))
+    own = folder / job.folder
+    if not (own / RECORD).exists():
+        return Failure(job.environment, job.variant, job.seed, _find_problem(own))
     try:
-        summary = _read_summary(place)
-        _check_decisions(place / DECISIONS)
+        summary = _read_summary(own)
+        _check_decisions(own / DECISIONS)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile, zlib.error) as error:
         problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
         return Failure(job.environment, job.variant, job.seed, problem)
-    return Run(job.environment, job.variant, job.seed, summary, place)
+    return Run(job.environment, job.variant, job.seed, summary, own)
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
@@ -134,8 +134,8 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _read_summary(place: Path) -> dict[str, float]:
-    data = json.loads((place / RECORD).read_text(encoding="utf-8"))
+def _read_summary(folder: Path) -> dict[str, float]:
+    data = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
     return summary | {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
 
@@ -147,8 +147,8 @@ def _check_decisions(path: Path) -> None:
         raise ValueError(f"{path.name}: {broken} is not what was written")
 
 
-def _find_problem(place: Path) -> str:
-    error = place / ERROR
+def _find_problem(folder: Path) -> str:
+    error = folder / ERROR
     if not error.exists():
         return ""
     return error.read_text(encoding="utf-8").partition("\n")[0] or f"{error} is empty; {AGAIN}"
@@ -159,7 +159,7 @@ def _find_search_failures(folder: Path, plan: Plan, searched: Searched | None) -
     if plan.search is None or (searched and searched.complete()):
         return []
     _, failures = read_runs(folder / SEARCH, plan.search.plan.jobs())
-    lacking = [place.name for place in plan.environments if searched is None or searched.chosen(place.name) is None]
+    lacking = [item.name for item in plan.environments if searched is None or searched.chosen(item.name) is None]
     return [
         *(failure._replace(variant=f"search: {failure.variant}") for failure in failures),
         *(Failure(environment, BEST, seed, "") for environment in lacking for seed in plan.seeds),
