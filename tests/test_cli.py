@@ -198,8 +198,8 @@ def test_plugins_list_prints_json() -> None:
     result = CliRunner().invoke(app, ["plugins", "list", "--json"])
     listed = json.loads(result.stdout)
     assert [] == listed["broken"]
-    assert {"role", "name", "plugin", "distribution", "description"} == set(listed["components"][0])
-    assert all(component["description"] for component in listed["components"])
+    assert {"role", "name", "plugin", "distribution", "description"} == set(listed["parts"][0])
+    assert all(part["description"] for part in listed["parts"])
 
 
 def test_schema_prints_a_schema() -> None:

@@ -107,11 +107,11 @@ def test_the_line_of_a_component_names_parts_that_need_nothing_more(registry: Re
 @pytest.mark.parametrize(
     ("name", "role", "message"),
     [
-        ("bakprop", None, "no component is named 'bakprop' (did you mean 'backprop'?)"),
+        ("bakprop", None, "no part is named 'bakprop' (did you mean 'backprop'?)"),
         ("backprop", "tutr", "there is no role 'tutr' (did you mean 'tutor'?). Roles: amplifier, change,"),
         ("backprop", "tutor", "no tutor named 'backprop'"),
         ("prototype3", "tutor", "no tutor named 'prototype3' (did you mean 'prototype2'?)"),
-        ("twin", None, "several components are named 'twin': condition, tutor. Choose one with --role."),
+        ("twin", None, "several parts are named 'twin': condition, tutor. Choose one with --role."),
     ],
 )
 def test_info_about_what_is_not_there_says_what_is(name: str, role: str | None, message: str) -> None:

@@ -125,11 +125,11 @@ def test_a_third_party_is_found_with_its_distribution(install: Install) -> None:
         (GOOD.replace("return [Lost]", "raise KeyError(1)"), "KeyError: 1", "Tell the authors of bad"),
         (
             GOOD.replace("return [Lost]", "return Lost"),
-            "return a list of component classes.",
+            "return a list of part classes.",
             "Tell the authors of bad",
         ),
-        (GOOD.replace("return [Lost]", "return None"), "returned []; return a list of component classes.", "Tell"),
-        (GOOD.replace("return [Lost]", "return [Lost()]"), "return component classes.", "Tell the authors of bad"),
+        (GOOD.replace("return [Lost]", "return None"), "returned []; return a list of part classes.", "Tell"),
+        (GOOD.replace("return [Lost]", "return [Lost()]"), "return part classes.", "Tell the authors of bad"),
         (GOOD.replace("[Lost]", "[ts.Tutor]"), "Tutor has the name ''; names are like 'wall-follower'.", "Tell"),
         (
             GOOD.replace("NAME", "bumped"),

@@ -187,7 +187,7 @@ def test_naming_a_broken_plugin_says_that_it_is_broken() -> None:
     [
         ([Abstract], "tutor", "abstract", "tutor 'abstract' (Abstract) does not implement act. Tell the authors of"),
         ([Abstract, Rail], "world", "rail", "tutor 'abstract' (Abstract) does not implement act."),
-        ([Rail, Pusher()], "tutor", "pusher", "return component classes."),
+        ([Rail, Pusher()], "tutor", "pusher", "return part classes."),
         ([Rail, Rail], "world", "rail", "world 'rail' of 'bad' stands there twice; rename one of them."),
     ],
 )

@@ -1,4 +1,4 @@
-"""What a component's class says about the states and actions that it is made for: its type arguments."""
+"""What a part's class says about the states and actions that it is made for: its type arguments."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tutorstudent.core.words.records import Moment, StateT
 
 
 def find_state_claim(cls: type[Component]) -> Any:
-    """Return the class of states that a component is made for.
+    """Return the class of states that a part is made for.
 
     A TypeVar means that it is made for any, None that nobody says.
 
@@ -25,7 +25,7 @@ def find_state_claim(cls: type[Component]) -> Any:
 
 
 def find_action_claim(cls: type[Component]) -> Any:
-    """Return the class of actions that a component is made for, as `find_state_claim` does for states."""
+    """Return the class of actions that a part is made for, as `find_state_claim` does for states."""
     return _find_claims(cls).get(ActionT)
 
 

@@ -1,4 +1,4 @@
-"""Builds components from plain values, and says where a mistake stands."""
+"""Builds parts from plain values, and says where a mistake stands."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ModelT = TypeVar("ModelT", bound=BaseModel)
 
 
 class Assembler:
-    """Turns the values of a document into components of the registry."""
+    """Turns the values of a document into parts of the registry."""
 
     def __init__(self, document: Document, registry: Registry) -> None:
         self._document = document
@@ -31,7 +31,7 @@ class Assembler:
         self._slots[slot] = at
 
     def make_part(self, role: str, node: Any, at: Location) -> Any:
-        """Return the component that a node names: a word, or a mapping with ``use`` and the options beside it."""
+        """Return the part that a node names: a word, or a mapping with ``use`` and the options beside it."""
         if isinstance(node, Component):
             return node
         word = isinstance(node, str)
@@ -64,7 +64,7 @@ class Assembler:
         )
 
     def make_parts(self, role: str, node: Any, at: Location) -> list[Any]:
-        """Return the components that a list names."""
+        """Return the parts that a list names."""
         if not isinstance(node, list | tuple):
             raise self.make_error(at, f"found {quote(node)}; write a list, as in [name] or [{{use: name}}].")
         return [self.make_part(role, item, (*at, i)) for i, item in enumerate(node)]

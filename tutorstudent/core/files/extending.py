@@ -17,7 +17,7 @@ def read_extended(path: Path) -> Document:
     """Read a YAML file and all that it extends, as one document in which every value knows its own file.
 
     Mappings are merged key by key; lists and scalars take the place of what was there. Where ``use`` names another
-    component than before, none of the options that stood beside it are kept. A word is short for ``{use: word}``.
+    part than before, none of the options that stood beside it are kept. A word is short for ``{use: word}``.
 
     Raises:
         PipelineError: if a file cannot be read or leads back to itself; the message says where and what to do.

@@ -105,7 +105,7 @@ def load_parts(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
         manager.enable_tracing()
     answers = manager.hook.tutorstudent_components()
     if len(answers) != 1 or not isinstance(answers[0], list | tuple | set | frozenset):
-        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of component classes.")
+        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of part classes.")
     yield from answers[0]
 
 
@@ -149,7 +149,7 @@ def make_broken(error: BaseException, entry_point: metadata.EntryPoint, returned
 
 
 def _name_parts(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
-    """Yield role and name of the components; one that is too broken to tell them is left out."""
+    """Yield role and name of the parts; one that is too broken to tell them is left out."""
     for part in returned:
         try:
             cls = part if inspect.isclass(part) else type(part)

@@ -1,4 +1,4 @@
-"""The options of a component as rows of a table: type, bounds, default and description."""
+"""The options of a part as rows of a table: type, bounds, default and description."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WORDS = {"object": "mapping", "array": "list", "null": "nothing", "boolean": "tr
 
 
 class OptionRow(NamedTuple):
-    """One option of a component."""
+    """One option of a part."""
 
     name: str
     type: str
@@ -32,18 +32,18 @@ class OptionRow(NamedTuple):
     default: Any
     """A plain value; None where the option is required or nothing is its default."""
     role: str | None
-    """Of the components that may stand there."""
+    """Of the parts that may stand there."""
     description: str
 
 
 def list_options(cls: type[Component]) -> list[OptionRow]:
-    """Return the options of a component class, in the order in which it declares them."""
+    """Return the options of a part class, in the order in which it declares them."""
     schema = cls.Options.model_json_schema()
     return [_make_row(name, field, schema["properties"][name]) for name, field in cls.Options.model_fields.items()]
 
 
 def read_default(field: FieldInfo) -> Any:
-    """Return the default of an option as a plain value: a component by its name, a model by its values."""
+    """Return the default of an option as a plain value: a part by its name, a model by its values."""
     value = field.get_default(call_default_factory=True)
     if isinstance(value, Component):
         return value.name

@@ -28,4 +28,4 @@ def _convert_leftover(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, Component):
         return value.describe()
-    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or components.")
+    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or parts.")

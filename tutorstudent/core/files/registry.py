@@ -58,7 +58,7 @@ _NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 class Installed(NamedTuple):
-    """One component class with where it comes from."""
+    """One part class with where it comes from."""
 
     cls: type[Component]
     entry_point: str
@@ -66,7 +66,7 @@ class Installed(NamedTuple):
 
 
 class Registry:
-    """The components of all entry points, by role and name. An instance, handed about; nothing is global."""
+    """The parts of all entry points, by role and name. An instance, handed about; nothing is global."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], Installed] = {}
@@ -94,7 +94,7 @@ class Registry:
         return other
 
     def load(self, entry_point: metadata.EntryPoint) -> None:
-        """Add the components of one entry point: all of them, or none and a `Broken` record."""
+        """Add the parts of one entry point: all of them, or none and a `Broken` record."""
         classes: list[type[Component]] = []
         try:
             classes += load_parts(entry_point)
@@ -113,12 +113,12 @@ class Registry:
             self.add(cls, entry_point.name, find_distribution(entry_point))
 
     def add(self, cls: type[Component], entry_point: str = "", distribution: str = "this program") -> None:
-        """Add one component class."""
+        """Add one part class."""
         self._check(cls, entry_point)
         self._found[cls.role, cls.name] = Installed(cls, entry_point, distribution)
 
     def get(self, role: str, name: str) -> type[Component]:
-        """Return the component of that role and name.
+        """Return the part of that role and name.
 
         Raises:
             UnknownPlugin: if there is none.
@@ -155,7 +155,7 @@ class Registry:
         return f" These plugins could not be loaded and may provide it: {others}" if others else ""
 
     def of(self, role: str) -> list[Installed]:
-        """Return the components of a role, by name."""
+        """Return the parts of a role, by name."""
         return [self._found[key] for key in sorted(self._found) if key[0] == role]
 
     def __iter__(self) -> Iterator[Installed]:
@@ -163,7 +163,7 @@ class Registry:
 
     def _check(self, cls: type[Component], entry_point: str) -> None:
         if not (inspect.isclass(cls) and issubclass(cls, Component)):
-            raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return component classes.")
+            raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return part classes.")
         if cls.role not in ROLES or not issubclass(cls, ROLES[cls.role]):
             raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {list_names(ROLES)}.")
         if not (isinstance(cls.name, str) and _NAME.fullmatch(cls.name)):

@@ -182,10 +182,10 @@ def find_providers(built: Built, registry: Registry) -> dict[str, str]:
     return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
 
 
-def _walk_parts(components: Iterable[Component]) -> Iterator[Component]:
-    for component in components:
-        yield component
-        yield from _walk_parts(part for _, part in component.parts())
+def _walk_parts(parts: Iterable[Component]) -> Iterator[Component]:
+    for part in parts:
+        yield part
+        yield from _walk_parts(nested for _, nested in part.parts())
 
 
 def find_versions() -> dict[str, str]:

@@ -106,7 +106,7 @@ def _make_part(cls: type[Component]) -> dict[str, Any]:
 
 
 def _add_defaults(cls: type[Component], options: dict[str, Any]) -> dict[str, Any]:
-    # What pydantic leaves out: defaults that are made anew each time, such as components.
+    # What pydantic leaves out: defaults that are made anew each time, such as parts.
     made = {name: field for name, field in cls.Options.model_fields.items() if field.default_factory}
     return {
         name: value | ({"default": read_default(made[name])} if name in made else {})
@@ -115,7 +115,7 @@ def _add_defaults(cls: type[Component], options: dict[str, Any]) -> dict[str, An
 
 
 def _fill_parts(node: Any) -> Any:
-    """Return a schema in which every place for a component refers to the definition of its role."""
+    """Return a schema in which every place for a part refers to the definition of its role."""
     if isinstance(node, list):
         return [_fill_parts(item) for item in node]
     if not isinstance(node, dict):

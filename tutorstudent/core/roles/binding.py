@@ -1,4 +1,4 @@
-"""What a component is told about its place, and the random stream that belongs to the place."""
+"""What a part is told about its place, and the random stream that belongs to the place."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tutorstudent.core.words.actions import Action
 
 
 class Binding(NamedTuple):
-    """What a component is told once, when a pipeline is put together."""
+    """What a part is told once, when a pipeline is put together."""
 
     seed: int
     slot: str

@@ -57,7 +57,7 @@ def _describe_problem(model: type[BaseModel], item: Any) -> str:
             return f"option '{path}' is required."
         case "is_instance_of":
             kind = item["ctx"]["class"]
-            return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
+            return f"option '{path}' must be a part ({kind}), not {item['input']!r}; in Python give an instance."
         case "value_error":
             said = str(item["ctx"]["error"]).rstrip(".")
             return f"option '{path}': {said}, found {quote(item['input'])}." if path else f"{said}."

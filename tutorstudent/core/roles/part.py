@@ -19,7 +19,7 @@ Learned = Mapping[str, Any]
 
 
 class Options(BaseModel):
-    """Configuration of a component. Unknown options are refused; give each field a description and a unit."""
+    """Configuration of a part. Unknown options are refused; give each field a description and a unit."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, validate_default=True)
 
@@ -29,7 +29,7 @@ class Options(BaseModel):
         for name, field in cls.model_fields.items():
             if isinstance(field.default, Component):
                 raise ContractError(
-                    f"{cls.__qualname__}.{name}: the default is a component, which all would share; "
+                    f"{cls.__qualname__}.{name}: the default is a part, which all would share; "
                     f"use Field(default_factory={type(field.default).__name__})."
                 )
 
@@ -40,6 +40,8 @@ class Options(BaseModel):
         return value
 
 
+# A plugin is a part everywhere but in two public names, this class and the hook `tutorstudent_components`, which plugins
+# depend on; a component is a number of an action. See docs/decisions/0007-a-plugin-is-a-part.md.
 class Component(abc.ABC):
     """Something with a name, options and a place in a pipeline.
 
@@ -68,7 +70,7 @@ class Component(abc.ABC):
             raise PipelineError(explain_option_error(type(self), error)) from None
 
     def bind(self, binding: Binding) -> None:
-        """Tell the component its place. Called once by the engine or the assembler; children first."""
+        """Tell the part its place. Called once by the engine or the assembler; children first."""
         if self.slot:
             raise ContractError(
                 f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make one for each place."
@@ -85,7 +87,7 @@ class Component(abc.ABC):
             raise
 
     def parts(self) -> Iterator[tuple[str, Component]]:
-        """Yield the nested components with the option that holds them."""
+        """Yield the nested parts with the option that holds them."""
         for key in type(self.options).model_fields:
             value = getattr(self.options, key)
             if isinstance(value, Component):
@@ -124,7 +126,7 @@ class Component(abc.ABC):
         return ()
 
     def describe(self) -> dict[str, Any]:
-        """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""
+        """Return the part as a pipeline would name it: ``use`` and every option, defaults included."""
         return {"use": self.name} | {
             key: _describe_value(getattr(self.options, key)) for key in type(self.options).model_fields
         }
@@ -135,7 +137,7 @@ class Component(abc.ABC):
 
 
 class EnginePart(Component):
-    """A component that works inside the engine: it lives through trials."""
+    """A part that works inside the engine: it lives through trials."""
 
     def reset(self) -> None:
         """Forget the episode, keep what was learned."""
@@ -157,7 +159,7 @@ def _describe_value(value: Any) -> Any:
 
 
 def explain_option_error(cls: type[Component], error: ValidationError) -> str:
-    """Say in one sentence what is wrong with a component's options."""
+    """Say in one sentence what is wrong with a part's options."""
     return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in find_option_problems(cls.Options, error))
 
 

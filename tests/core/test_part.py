@@ -21,7 +21,7 @@ from tutorstudent.sims.pioneer.types import DriveAction
         (lambda: LearningPhase(decisons=3), "amplifier 'learning-phase': unknown option 'decisons' (did you mean"),
         (lambda: LearningPhase(decisions=-1), "option 'decisions': input should be greater than or equal to 0, found"),
         (lambda: LearningPhase(amount=float("nan")), "option 'amount': input should be"),
-        (lambda: LearningPhase(change="additive"), "must be a component (Change), not 'additive'; in Python give an"),
+        (lambda: LearningPhase(change="additive"), "must be a part (Change), not 'additive'; in Python give an"),
         (lambda: TableStudent(), "student 'table': option 'encoder' is required."),
     ],
 )
@@ -32,7 +32,7 @@ def test_wrong_options_are_told_with_what_is_allowed(build: Any, message: str) -
 
 
 def test_a_default_that_is_a_component_is_refused_where_it_is_written() -> None:
-    with pytest.raises(ts.ContractError, match=r"change: the default is a component, .*default_factory=Additive"):
+    with pytest.raises(ts.ContractError, match=r"change: the default is a part, .*default_factory=Additive"):
 
         class Shared(ts.Options):
             change: ts.Part[ts.Change] = Additive()
@@ -51,7 +51,7 @@ def test_a_default_of_the_wrong_type_is_refused() -> None:
         def amplify(self, selected: Any, decision_number: int) -> Any:
             return selected
 
-    with pytest.raises(ts.PipelineError, match="option 'change' must be a component"):
+    with pytest.raises(ts.PipelineError, match="option 'change' must be a part"):
         Loud()
 
 
