@@ -229,7 +229,7 @@ def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
     monkeypatch.setattr("tutorstudent.command.program.run_pipeline", interrupted)
     result = CliRunner().invoke(app, words)
     assert 130 == result.exit_code
-    assert "interrupted; a run is written at its end, so nothing is." in result.stderr
+    assert "interrupted. A run is written when it ends, so nothing was written;" in result.stderr
     assert kept == sorted(path.name for path in tmp_path.rglob("*"))
 
 

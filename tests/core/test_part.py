@@ -31,8 +31,8 @@ def test_wrong_options_are_told_with_what_is_allowed(build: Any, message: str) -
     assert message in str(caught.value)
 
 
-def test_a_default_that_is_a_component_is_refused_where_it_is_written() -> None:
-    with pytest.raises(ts.ContractError, match=r"change: the default is a part, .*default_factory=Additive"):
+def test_a_default_that_is_a_part_is_refused_where_it_is_written() -> None:
+    with pytest.raises(ts.ContractError, match=r"change: the default is one part, .*default_factory=Additive"):
 
         class Shared(ts.Options):
             change: ts.Part[ts.Change] = Additive()
@@ -55,10 +55,10 @@ def test_a_default_of_the_wrong_type_is_refused() -> None:
         Loud()
 
 
-def test_a_component_has_one_place() -> None:
+def test_a_part_has_one_slot() -> None:
     student = Random()
     student.bind(Binding(1, "student", DriveAction))
-    with pytest.raises(ts.ContractError, match="student 'random' already stands at 'student' of a pipeline"):
+    with pytest.raises(ts.ContractError, match="student 'random' is already at 'student' of a pipeline"):
         student.bind(Binding(1, "student", DriveAction))
 
 
@@ -68,7 +68,7 @@ def test_streams_depend_on_seed_and_slot_only() -> None:
     assert 6 == len(drawn)
 
 
-def test_a_component_describes_itself_as_a_pipeline_would_name_it() -> None:
+def test_a_part_describes_itself_as_a_pipeline_would_name_it() -> None:
     described = {"use": "learning-phase", "amount": 0.1, "change": {"use": "additive"}, "decisions": 9, "hold_at": None}
     assert described == LearningPhase(decisions=9).describe()
 

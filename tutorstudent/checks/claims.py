@@ -1,4 +1,4 @@
-"""What a part's class says about the states and actions that it is made for: its type arguments."""
+"""The states and actions that a part is made for, as its class's type arguments say."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tutorstudent.core.words.records import Moment, StateT
 def find_state_claim(cls: type[Component]) -> Any:
     """Return the class of states that a part is made for.
 
-    A TypeVar means that it is made for any, None that nobody says.
+    A TypeVar means that any will do, None that it is not known.
 
     >>> from tutorstudent.core.roles.interfaces import Tutor
     >>> class Pid(Tutor[float, Any]): ...

@@ -1,4 +1,4 @@
-"""Checks of what can be said about a part before it is used: description, options, what it waives."""
+"""Checks of a part before it is used: its description and its options."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def can_be_written_down(usage: Usage) -> None:
         raise CheckFailed(
             "every option is a plain value, a path, an enum or a part",
             describe_error(error),
-            "make objects of plain options in setup()",
+            "build objects from plain options in setup()",
         ) from error
 
 

@@ -1,4 +1,4 @@
-"""Asks the same part in another process: what hangs on hash values, addresses or import order differs there."""
+"""Asks the same part in another process, where hash values, addresses and import order differ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`tutorstudent plugins info`: all that there is to know about one part."""
+"""`tutorstudent plugins info`: everything about one part."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def format_page(found: Installed, registry: Registry) -> Iterator[str]:
 
 
 def format_yaml(found: Installed, registry: Registry) -> str:
-    """Return the line that names a part in a pipeline; what is required and unknown stands as ``...``."""
+    """Return the line that names a part in a pipeline, with ``...`` for required options."""
     role, name = found.cls.role, found.cls.name
     needed = [f"{row.name}: {_make_example(row, found, registry)}" for row in list_options(found.cls) if row.required]
     part = f"{{use: {name}, {', '.join(needed)}}}" if needed else name

@@ -18,7 +18,7 @@ from tutorstudent.core.files.registry import Registry
 HEADER = ("role", "name", "plugin", "what it is")
 INDENT = "  "
 LEAST_ROOM = 40
-"""Where a description has less room beside its names, it stands below them."""
+"""Where a description has less room than this beside its name, it goes below."""
 
 
 def plugins_list(

@@ -17,7 +17,7 @@ from tutorstudent.sims.pioneer.types import PioneerState
 
 @condition("bumped")
 def Bumped(state: PioneerState) -> bool:  # noqa: N802 - it becomes a class
-    """The robot hit an obstacle, as it reports it (Thesis 3.3.5)."""
+    """The robot reports that it hit an obstacle (Thesis 3.3.5)."""
     return state.stalled
 
 

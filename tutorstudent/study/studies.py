@@ -1,4 +1,4 @@
-"""A whole study: plan, drawings, the search for a level, every run, tables and page; begun or gone on with."""
+"""A whole study, begun or resumed: plan, drawings, the search for a level, every run, tables and page."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOK
 
 
 def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
-    """Run whatever a plan says, with its progress on standard error; write no report.
+    """Run a plan, with its progress on standard error; write no report.
 
-    Where the folder holds a study of the same plan, the study goes on: complete runs stay, all others are run. The
-    results are the same, to the last byte, for any number of workers and interruptions; only the timing is not.
+    If the folder holds a study of the same plan, that study goes on: complete runs stay, all others are run. Results
+    are the same to the last byte for any number of workers and interruptions, except for the timing.
 
     Args:
         plan: From `make_plan`, or put together by hand.
@@ -65,7 +65,7 @@ def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY
 
 
 def begin(plan: Plan, folder: Path) -> None:
-    """Write the plan into its folder, with a drawing of every environment; or make sure that it stands there.
+    """Write the plan into its folder with a drawing of every environment, or make sure that it is there.
 
     Raises:
         PipelineError: if the folder holds something else, another plan, or cannot be written.
@@ -83,7 +83,7 @@ def begin(plan: Plan, folder: Path) -> None:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that holds something already.
+    """Refuse a folder that is not empty.
 
     Raises:
         PipelineError: if it does, or cannot be read.
@@ -102,7 +102,7 @@ def check_folder(folder: Path) -> None:
 
 
 def check_same(plan: Plan, folder: Path) -> None:
-    """Refuse to go on with a study that is about something else, or was begun with other versions.
+    """Refuse to resume a study with another plan, or one that was begun with other versions.
 
     Raises:
         PipelineError: with what differs.
@@ -112,7 +112,7 @@ def check_same(plan: Plan, folder: Path) -> None:
     if there != plan:
         differences = find_differences(make_data(there), make_data(plan))
         raise PipelineError(
-            f"{folder}: its {FILE} is about another study. What differs: {differences}. "
+            f"{folder}: its {FILE} is that of another study. What differs: {differences}. "
             "Leave the pipelines out to go on with the one that is there, or give another folder."
         )
 

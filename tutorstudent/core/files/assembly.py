@@ -1,4 +1,4 @@
-"""Builds parts from plain values, and says where a mistake stands."""
+"""Builds parts from plain values, and says where in the file a mistake is."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ModelT = TypeVar("ModelT", bound=BaseModel)
 
 
 class Assembler:
-    """Turns the values of a document into parts of the registry."""
+    """Makes parts of the values of a document."""
 
     def __init__(self, document: Document, registry: Registry) -> None:
         self._document = document
@@ -27,7 +27,7 @@ class Assembler:
         self._slots: dict[str, Location] = {}
 
     def place_slot(self, slot: str, at: Location) -> None:
-        """Say where a slot stands in the document, if it has another name there, such as ``conditions.bumped``."""
+        """Say where a slot is in the document, if it has another name there, such as ``conditions.bumped``."""
         self._slots[slot] = at
 
     def make_part(self, role: str, node: Any, at: Location) -> Any:
@@ -70,7 +70,7 @@ class Assembler:
         return [self.make_part(role, item, (*at, i)) for i, item in enumerate(node)]
 
     def make_model(self, model: type[ModelT], values: dict[str, Any], at: Location, what: str) -> ModelT:
-        """Return the validated model, or say where the first mistake stands."""
+        """Return the validated model, or say where the first mistake is."""
         try:
             return model(**values)
         except ValidationError as error:
@@ -89,7 +89,7 @@ class Assembler:
 
     @contextmanager
     def locate_errors(self, at: Location) -> Iterator[None]:
-        """Let every error of ours say where: at the part that was being bound, else at `at`."""
+        """Put a position before every error of ours: that of the part to blame, else `at`."""
         try:
             yield
         except TutorStudentError as error:

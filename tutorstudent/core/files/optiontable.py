@@ -1,4 +1,4 @@
-"""The options of a part as rows of a table: type, bounds, default and description."""
+"""The options of a part as rows of a table."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class OptionRow(NamedTuple):
     default: Any
     """A plain value; None where the option is required or nothing is its default."""
     role: str | None
-    """Of the parts that may stand there."""
+    """Of the parts that it may hold."""
     description: str
 
 
@@ -77,7 +77,7 @@ def _describe_parts(part: PartOption) -> str:
 
 
 def describe_type(schema: dict[str, Any]) -> str:
-    """Return what a JSON schema allows, in words.
+    """Return in words what a JSON schema allows.
 
     >>> describe_type({"anyOf": [{"type": "integer"}, {"type": "null"}]}), describe_type({"enum": ["clip", "wrap"]})
     ('integer or nothing', "'clip' or 'wrap'")

@@ -52,7 +52,7 @@ class Header(Options):
 
 
 class Built(NamedTuple):
-    """All that a pipeline names, bound and fitting together."""
+    """Everything that a pipeline names, built and bound."""
 
     engine: Engine[Any, Any, Any]
     world: World[Any, Any]
@@ -60,7 +60,7 @@ class Built(NamedTuple):
 
 
 class Pipeline:
-    """The parts of an engine as plain values, with the places where they stand in their file."""
+    """The parts of an engine as plain values, each with its place in the file."""
 
     def __init__(self, document: Document, registry: Registry | None = None) -> None:
         if not isinstance(document.data, dict):
@@ -75,7 +75,7 @@ class Pipeline:
             self._assembler.place_slot("selector", ("student",))
         self._assembler.check_keys(document.data, KEYS, ())
         if EXTENDS in document.data:
-            raise self._assembler.make_error((EXTENDS,), "only a file can extend another; write the key into the file.")
+            raise self._assembler.make_error((EXTENDS,), "'extends' works only in a file; write it there.")
         header = {key: document.data[key] for key in PLAIN if key in document.data}
         self.header = self._assembler.make_model(Header, header, (), "pipeline")
 
@@ -88,7 +88,7 @@ class Pipeline:
         """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``.
 
         Raises:
-            PipelineError: if a key leads through something that is no mapping, or the pipeline has no such key.
+            PipelineError: if a key leads through something other than a mapping, or there is no such key.
         """
         document, data = self.document, dict(self.document.data)
         for dotted, value in values.items():
@@ -98,7 +98,7 @@ class Pipeline:
 
     @contextmanager
     def built(self) -> Iterator[Built]:
-        """Build engine, world and observers; each is closed at the end, whatever another's `close` does.
+        """Build engine, world and observers, and close them all at the end, even if closing one of them fails.
 
         Raises:
             TutorStudentError: if something cannot be built; the message says where and what to do.
@@ -113,7 +113,7 @@ class Pipeline:
             yield Built(engine, world, observers)
 
     def engine(self, **given: Any) -> Engine[Any, Any, Any]:
-        """Build the engine. Parts that are given by slot replace the file's; one that is None does not.
+        """Build the engine. A part given for a slot replaces the file's; None stands for the file's own.
 
         Raises:
             TutorStudentError: if it cannot be built; the message says where and what to do.
@@ -225,11 +225,11 @@ def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pi
 
 
 def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: Any) -> Engine[Any, Any, Any]:
-    """Return the engine of a pipeline file, for somebody's own loop.
+    """Return the engine of a pipeline file, for a loop of your own.
 
     Args:
         path: The YAML file.
-        tutor: Takes the place of the file's tutor: a `Tutor`, or any callable of the state together with `action`.
+        tutor: Replaces the file's tutor: a `Tutor`, or any callable of the state together with `action`.
         action: The action class of a callable tutor.
         parts: Other parts by slot, for example ``student=...``; None stands for the file's own.
 

@@ -66,7 +66,7 @@ class Installed(NamedTuple):
 
 
 class Registry:
-    """The parts of all entry points, by role and name. An instance, handed about; nothing is global."""
+    """The parts of all entry points, by role and name. An object that is passed on; nothing is global."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], Installed] = {}
@@ -76,9 +76,9 @@ class Registry:
     def discover(cls, entry_points: Iterable[metadata.EntryPoint] | None = None) -> Registry:
         """Return a registry of all installed plugins.
 
-        The environment variable TUTORSTUDENT_LOAD_PLUGINS limits the third parties' to the distributions and entry
-        points that it names, separated by commas; where it is empty, none of theirs is loaded. With
-        TUTORSTUDENT_TRACE=1 every call of a hook is told on standard error.
+        The environment variable TUTORSTUDENT_LOAD_PLUGINS names the third-party distributions and entry points that
+        may be loaded, separated by commas; if it is empty, none is. With TUTORSTUDENT_TRACE=1 every call of a hook is
+        printed on standard error.
         """
         registry = cls()
         found = find_entry_points(registry.broken) if entry_points is None else entry_points
@@ -88,7 +88,7 @@ class Registry:
         return registry
 
     def copy(self) -> Registry:
-        """Return a registry of the same parts, which can be added to by itself."""
+        """Return an independent registry of the same parts."""
         other = Registry()
         other._found, other.broken = dict(self._found), list(self.broken)
         return other
@@ -102,7 +102,7 @@ class Registry:
                 self._check(cls, entry_point.name)
             if twice := find_double(classes):
                 raise DuplicatePlugin(
-                    f"{twice.role} '{twice.name}' of '{entry_point.name}' stands there twice; rename one of them."
+                    f"{twice.role} '{twice.name}' of '{entry_point.name}' is there twice; rename one of them."
                 )
         except KeyboardInterrupt:
             raise
@@ -137,7 +137,7 @@ class Registry:
         )
 
     def check_not_broken(self, name: str, role: str | None = None) -> None:
-        """Say why a part is not there, if a plugin that has it, or is of that name, could not be loaded.
+        """Raise if the part is missing because its plugin could not be loaded.
 
         Raises:
             BrokenPlugin: if so; the message has the reason and the remedy.
@@ -150,7 +150,7 @@ class Registry:
                 )
 
     def suspects(self) -> str:
-        """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
+        """Return a sentence about broken plugins, which may provide what is missing, or nothing."""
         others = " ".join(broken.explain() for broken in self.broken)
         return f" These plugins could not be loaded and may provide it: {others}" if others else ""
 
@@ -180,9 +180,9 @@ class Registry:
 
 
 def find_registry() -> Registry:
-    """Return `Registry.discover()`, made once as long as the same plugins are installed; what is broken is tried again.
+    """Return `Registry.discover()`, kept in memory until something is installed or removed; broken plugins are retried.
 
-    Discovering takes a tenth of a second, too much for everything that builds one pipeline after the other.
+    Discovering takes a tenth of a second, too long for a program that builds many pipelines.
     """
     found = _discover(_stamp_installed())
     if found.broken:

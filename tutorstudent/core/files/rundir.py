@@ -1,4 +1,4 @@
-"""One run of a pipeline in its world, and the directory that it leaves behind.
+"""Runs a pipeline in its world and writes the run's directory.
 
 | file | what |
 |---|---|
@@ -84,7 +84,7 @@ def _summarise(observers: Iterable[Observer]) -> dict[str, float]:
 
 
 def _find_free_key(key: str, taken: Container[str]) -> str:
-    """Return the key, with a number where an earlier observer has it already."""
+    """Return the key, numbered if an earlier observer uses it already."""
     numbered = (f"{key}#{number}" for number in count(2))
     return next(name for name in chain([key], numbered) if name not in taken)
 
@@ -105,7 +105,7 @@ def write_run(directory: Path, finished: Finished, final: Path | None = None) ->
         final: What messages call the directory, where it will be moved afterwards.
 
     Returns:
-        None, or a sentence that says why what was learned could not be saved; the other files are there.
+        None, or a sentence about why what was learned could not be saved; the other files are written.
 
     Raises:
         PipelineError: if the directory cannot be written.
@@ -134,22 +134,22 @@ def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
 
 
 def prepare(directory: Path) -> None:
-    """Make a directory for a run; an earlier run's may be written over, anything else may not.
+    """Make a directory for a run. An earlier run's files are overwritten; nothing else is.
 
     Raises:
-        PipelineError: if the directory holds something that is no run, or cannot be made.
+        PipelineError: if the directory holds something other than a run, or cannot be made.
     """
     with explain_write_errors(directory):
         if directory.exists() and not directory.is_dir():
             raise PipelineError(f"{directory} is a file; name a directory for the run.")
         if directory.is_dir() and any(directory.iterdir()) and not (directory / "run.json").exists():
-            raise PipelineError(f"{directory} holds something that is no run; name another directory.")
+            raise PipelineError(f"{directory} holds something other than a run; name another directory.")
         directory.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
 def explain_write_errors(path: Path) -> Iterator[None]:
-    """Turn what the operating system says into a sentence about a file or folder.
+    """Turn errors of the operating system into sentences about a file or folder.
 
     Raises:
         PipelineError: if something there cannot be read or written.

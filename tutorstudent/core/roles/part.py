@@ -19,7 +19,7 @@ Learned = Mapping[str, Any]
 
 
 class Options(BaseModel):
-    """Configuration of a part. Unknown options are refused; give each field a description and a unit."""
+    """The options of a part. Unknown ones are refused; give each field a description and a unit."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, validate_default=True)
 
@@ -29,7 +29,7 @@ class Options(BaseModel):
         for name, field in cls.model_fields.items():
             if isinstance(field.default, Component):
                 raise ContractError(
-                    f"{cls.__qualname__}.{name}: the default is a part, which all would share; "
+                    f"{cls.__qualname__}.{name}: the default is one part, shared by all; "
                     f"use Field(default_factory={type(field.default).__name__})."
                 )
 
@@ -40,15 +40,15 @@ class Options(BaseModel):
         return value
 
 
-# A plugin is a part everywhere but in two public names, this class and the hook `tutorstudent_components`, which plugins
-# depend on; a component is a number of an action. See docs/decisions/0007-a-plugin-is-a-part.md.
+# A plugin is a part, and a component is a number of an action; only this class and the hook `tutorstudent_components`,
+# which plugins depend on, keep the old word. See docs/decisions/0007-a-plugin-is-a-part.md.
 class Component(abc.ABC):
-    """Something with a name, options and a place in a pipeline.
+    """Something with a name and options that a pipeline can use.
 
     What to do when:
 
     * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
-    * ``setup()``: once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
+    * ``setup()``: once, when ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
     * ``reset()``: between trials: forget the episode, keep what was learned
     * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
     * ``close()``: once, at the end
@@ -70,10 +70,10 @@ class Component(abc.ABC):
             raise PipelineError(explain_option_error(type(self), error)) from None
 
     def bind(self, binding: Binding) -> None:
-        """Tell the part its place. Called once by the engine or the assembler; children first."""
+        """Tell the part its slot. Called once by whoever builds the pipeline; nested parts come first."""
         if self.slot:
             raise ContractError(
-                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make one for each place."
+                f"{self.role} '{self.name}' is already at '{self.slot}' of a pipeline; make one for each slot."
             )
         self.slot = binding.slot
         self.action_class = binding.action
@@ -87,7 +87,7 @@ class Component(abc.ABC):
             raise
 
     def parts(self) -> Iterator[tuple[str, Component]]:
-        """Yield the nested parts with the option that holds them."""
+        """Yield the nested parts, each with the option that holds it."""
         for key in type(self.options).model_fields:
             value = getattr(self.options, key)
             if isinstance(value, Component):
@@ -96,10 +96,10 @@ class Component(abc.ABC):
                 yield from ((f"{key}.{i}", item) for i, item in enumerate(value) if isinstance(item, Component))
 
     def setup(self) -> None:  # noqa: B027 - an optional hook, deliberately concrete
-        """Prepare for work. Random stream, slot and action class are known here."""
+        """Prepare for work. Random generator, slot and action class are known."""
 
     def close(self) -> None:
-        """Let go of what `setup` opened."""
+        """Release what `setup` opened."""
         for _, part in self.parts():
             part.close()
 
@@ -119,9 +119,9 @@ class Component(abc.ABC):
             nested[key].load_state_dict(value)
 
     def examples(self) -> Sequence[Any]:
-        """Return states to try the part with, for the conformance checks; called on a bound part of its own.
+        """Return states for the conformance checks to try the part with; called on a bound copy.
 
-        A part that works with the states of one class need not say: the class may have a class method `examples`.
+        Not needed where the part's state class has a class method `examples`.
         """
         return ()
 
@@ -137,7 +137,7 @@ class Component(abc.ABC):
 
 
 class EnginePart(Component):
-    """A part that works inside the engine: it lives through trials."""
+    """A part of the engine: it is reset between trials."""
 
     def reset(self) -> None:
         """Forget the episode, keep what was learned."""

@@ -1,4 +1,4 @@
-"""Options that are parts themselves: how they are marked, and what an annotation asks for."""
+"""Options that hold parts: how they are marked and recognised."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 from tutorstudent.core.roles.part import Component
 
 ROLE_KEY = "x-role"
-"""Stands in an option's JSON schema for any part of the role; `schema.make_schema` fills it in."""
+"""Marks, in an option's JSON schema, where any part of a role may be; `schema.make_schema` fills it in."""
 
 
 class PartMarker:
@@ -37,15 +37,15 @@ class PartOption(NamedTuple):
 
     role: type[Component]
     one: bool
-    """Whether one part may stand there by itself."""
+    """Whether it may hold a single part."""
     many: bool
-    """Whether a list of parts may."""
+    """Whether it may hold a list of parts."""
     none: bool
     """Whether nothing may."""
 
 
 def read_part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
-    """Return what an option's annotation asks for, or None if the option is no part.
+    """Return which part an option's annotation asks for, or None if it asks for none.
 
     >>> read_part_option(int, []) is None
     True
@@ -67,6 +67,6 @@ def read_part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
 
 
 def read_part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
-    """Return the role that an option's annotation asks for, or None if the option is no part."""
+    """Return the role of the part that an option's annotation asks for, or None if it asks for none."""
     option = read_part_option(annotation, metadata)
     return option.role if option else None

@@ -1,4 +1,4 @@
-"""States that their owner's buffers cannot change any more."""
+"""Copies of states that cannot change any more."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _SAFE = (str, bytes, bool, int, float, complex, np.generic, type(None))
 
 
 def freeze(state: Any) -> Any:
-    """Return a copy of a state that its owner's buffers cannot change any more; its arrays are read-only.
+    """Return a copy of a state that shares nothing with the original; its arrays are read-only.
 
     >>> frozen = freeze({"scan": np.zeros(2)})
     >>> frozen["scan"].flags.writeable

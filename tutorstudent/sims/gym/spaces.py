@@ -1,6 +1,6 @@
 """Action spaces and action classes: which fit together, and one made for the other.
 
-Only a box of numbers has a magnitude to amplify. A discrete action is a choice; how much of it there is, nobody said.
+Only a box of numbers has magnitudes to amplify; a discrete action is a choice without one.
 """
 
 from __future__ import annotations

@@ -138,7 +138,7 @@ def _find_obstacles(axes: Axes, gains: Gains) -> list[Point]:
 
 
 def _move_to_paper(axes: Axes, points: Iterable[Sequence[float]]) -> list[Point]:
-    """Return where points of the picture's scales stand on the drawing, in points."""
+    """Return points of the picture's scales as points of the drawing."""
     drawn = axes.transData.transform(np.reshape(list(points), (-1, 2))) * 72 / axes.figure.dpi
     return [(float(x), float(y)) for x, y in drawn]
 

@@ -130,7 +130,7 @@ class View(NamedTuple):
     """Of the fine frame."""
 
     def to_pixels(self, x_m: float, y_m: float) -> Point:
-        """Return where a point stands, in pixels."""
+        """Return a point of the world in pixels."""
         margin = FINER * MARGIN_PX
         x = margin + (x_m - self.left_m) * self.fine_px_per_m
         return x, margin + FINER * HEAD_PX + (self.top_m - y_m) * self.fine_px_per_m

@@ -1,4 +1,4 @@
-"""What a comparison takes for achievement."""
+"""What a comparison counts as achievement."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ UNBOUNDED = ("share:", "violated:")
 
 
 def find_goal(asked: str, environments: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
-    """Return the name of what a run is to have most of; empty where nothing counts it.
+    """Return the name of what a run should maximise; empty where nothing counts it.
 
     Args:
-        asked: For by name; empty for what the learner's observers count first, else what its world says.
+        asked: The goal by name; empty: what the learner's observers count first, else what its world says.
         environments: The pipelines of each.
         registry: Of the plugins.
 
     Raises:
-        PipelineError: if the goal that is asked for is nothing that a run counts.
+        PipelineError: if no run counts the goal that is asked for.
     """
     pipelines = list(environments)
     learners = [found[name] for found in pipelines if (name := find_learner(found))]
@@ -45,7 +45,7 @@ def put_goal_first(goal: str, counters: Mapping[str, str], known: Mapping[str, s
 
 
 def explain_unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
-    """Return what is wrong with a goal that no run counts."""
+    """Return the error about a goal that no run counts."""
     names = sorted(known)
     return PipelineError(
         f"--goal {goal}: no run counts it{suggest(goal, names)}. What is counted: {list_names(names)}."
@@ -53,7 +53,7 @@ def explain_unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
 
 
 def _check(goal: str, resolved: Resolved, registry: Registry) -> None:
-    """Let the tutor alone take one decision to see what is counted, before all are taken."""
+    """Run the tutor alone for one decision to see what is counted."""
     if goal.startswith(UNBOUNDED):
         return
     tutor_alone = next(make_candidates(resolved)).values

@@ -14,7 +14,7 @@ from tutorstudent.study.plans.plan import Environment, Plan, Search, Variant
 
 FILE = "plan.json"
 FORMAT = 1
-"""Of the file; another number is another version's."""
+"""Version of the file's format."""
 
 
 def save_plan(plan: Plan, folder: Path) -> None:
@@ -106,7 +106,7 @@ SHOWN = 5
 
 
 def find_differences(there: Any, asked: Any) -> str:
-    """Return where two nested values differ, the first few; lists of things with a name are compared by name.
+    """Return the first few differences of two nested values; lists of named things are compared by name.
 
     Args:
         there: What stands in the folder.

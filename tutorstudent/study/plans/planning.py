@@ -98,7 +98,7 @@ def _check_name(control: str, resolved: Mapping[str, Resolved]) -> None:
 
 
 def _find_reference(variants: Sequence[Variant]) -> str:
-    """Return the name of what the learner's own tutor does alone; empty where that does not run."""
+    """Return the name of the variant that is the learner's tutor alone; empty where there is none."""
     unamplified = [variant for variant in variants if is_tutor_alone(variant.pipeline)]
     learner = next((variant for variant in variants if variant not in unamplified), None)
     return next(

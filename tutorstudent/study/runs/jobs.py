@@ -58,7 +58,7 @@ def run_jobs(jobs: Sequence[Job], folder: Path, workers: int = 1, backend: Backe
 
 
 def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finished:
-    """Run one job and write its results, or `ERROR`, into its folder; without a registry it looks for the plugins."""
+    """Run one job and write its results, or `ERROR`, into its folder; finds the plugins if it is given no registry."""
     own_folder = folder / job.folder
     try:
         own = {"seed": job.seed, "decisions": job.decisions}
