@@ -84,7 +84,7 @@ def test_the_shipped_plugins_all_load() -> None:
         ("observer", {"attractors"}),
     ],
 )
-def test_every_role_has_its_shipped_components(role: str, names: set[str]) -> None:
+def test_every_role_has_its_shipped_parts(role: str, names: set[str]) -> None:
     found = Registry.discover().of(role)
     assert names <= {installed.cls.name for installed in found if installed.distribution.startswith("tutorstudent ")}
 

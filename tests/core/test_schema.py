@@ -127,7 +127,7 @@ def test_every_reference_of_the_schema_leads_somewhere(schema: dict[str, Any]) -
     assert set() == {ref for ref in found if ref.removeprefix("#/$defs/") not in schema["$defs"]}
 
 
-def test_every_option_of_every_component_is_described(schema: dict[str, Any]) -> None:
+def test_every_option_of_every_part_is_described(schema: dict[str, Any]) -> None:
     bare = [
         f"{name}.{option}"
         for name, definition in schema["$defs"].items()

@@ -71,5 +71,5 @@ def test_codec_and_modifier_speak_of_the_same_proposal_type() -> None:
     assert LevelAmpbit.proposal is Modifier.proposal is ts.LevelProposal
 
 
-def test_the_plugin_names_its_components() -> None:
+def test_the_plugin_names_its_parts() -> None:
     assert [cls.name for cls in streamlined.tutorstudent_components()] == ["level-ampbit", "modifier"]
