@@ -1,4 +1,4 @@
-"""One language: functions are verbs, a plugin is a part, no three files share a name, records use the glossary's words."""
+"""One language: functions are verbs, a plugin is a part, no three files share a name, records use glossary words."""
 
 from __future__ import annotations
 

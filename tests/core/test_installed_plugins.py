@@ -10,7 +10,7 @@ import pytest
 
 from tutorstudent.core.files.loading import ALLOW_LIST, TRACE, Broken
 from tutorstudent.core.files.pipeline import load
-from tutorstudent.core.files.registry import Registry, find_registry
+from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.hookspecs import API
 from tutorstudent.core.words.errors import BrokenPlugin, UnknownPlugin
 
@@ -65,26 +65,6 @@ def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install
 
 def broken() -> list[Broken]:
     return Registry.discover().broken
-
-
-def test_a_plugin_that_is_installed_later_is_found_by_the_next_pipeline(install: Install) -> None:
-    assert "acme-condition" not in [item.cls.name for item in find_registry()]
-    install("acme")
-    assert "acme-condition" in [item.cls.name for item in find_registry()]
-
-
-def test_what_is_added_to_one_pipelines_registry_is_not_in_the_next_ones(install: Install) -> None:
-    install("acme")
-    one = find_registry()
-    one.add(type("Other", (one.get("condition", "acme-condition"),), {"name": "other"}))
-    assert "other" not in [item.cls.name for item in find_registry()]
-
-
-def test_a_plugin_that_was_broken_is_tried_again(install: Install, tmp_path: Path) -> None:
-    install("acme", source="raise RuntimeError('not yet')")
-    assert ["acme"] == [broken.entry_point for broken in find_registry().broken]
-    (tmp_path / "acme_plugin.py").write_text(GOOD.replace("NAME", "acme-condition"))
-    assert [] == find_registry().broken
 
 
 def test_a_third_party_is_found_with_its_distribution(install: Install) -> None:

@@ -40,7 +40,7 @@ def make_decision_axis(decisions: float) -> Axis:
 
 
 def make_value_axis(highest: Sequence[float]) -> Axis:
-    """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above."""
+    """Return a scale for curves with these highest values: linear, or logarithmic where a few are far above."""
     top = max([1.0, *highest])
     limit = top * 1.04
     if is_long_tailed(highest):
@@ -59,7 +59,7 @@ def _make_ticks(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
 
 
 class Chart:
-    """Curves over decisions. What they look like stands in the page's style sheet.
+    """Curves over decisions. The page's style sheet says what they look like.
 
     >>> chart = Chart(make_decision_axis(10.0), make_value_axis([4.0]))
     >>> chart.add_curve(np.array([0.0, 10.0]), np.array([0.0, 4.0]), "run", "red")

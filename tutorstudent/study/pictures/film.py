@@ -1,4 +1,4 @@
-"""A short film of the end of a run, as a GIF: nothing has to be installed or fetched to see it."""
+"""A short film of the end of a run, as a GIF, which every browser shows."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SHARES = (1.0, 0.75, 0.5, 0.25)
 
 
 class Film(NamedTuple):
-    """A film, and what stands in for it where nothing should move."""
+    """A film, and a still picture for where nothing should move."""
 
     gif: bytes
     still: bytes

@@ -1,4 +1,4 @@
-"""Pictures that belong together, with what has to be known to read them, as HTML."""
+"""Pictures that belong together, with a caption that explains them, as HTML."""
 
 from __future__ import annotations
 

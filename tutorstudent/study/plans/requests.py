@@ -14,7 +14,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError
 
 ANY = "pipeline"
-"""What a file may be called that is then named after its folder."""
+"""The stem of files that are named after their folder."""
 
 
 class Setting(NamedTuple):
@@ -109,5 +109,5 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
 
 
 def _find_name(path: Path) -> str:
-    """Return what a file is about; every package and every run has a ``pipeline.yaml``, so that says nothing."""
+    """Return the file's name, or its folder's where it is ``pipeline.yaml``, which is the name of many."""
     return make_slug(path.resolve().parent.name if path.stem == ANY else path.stem)

@@ -29,11 +29,11 @@ class Finished(NamedTuple):
     problem: str
     """Why it failed, or empty."""
     note: str = ""
-    """What could not be saved although it did not fail, or empty."""
+    """What could not be saved, if the run itself was fine."""
 
 
 def run_jobs(jobs: Sequence[Job], folder: Path, workers: int = 1, backend: Backend = LOKY) -> Generator[Finished]:
-    """Run the jobs and yield each as it ends, in any order; a job that fails does not take the others along.
+    """Run the jobs and yield each as it ends, in any order; a job that fails does not stop the others.
 
     Args:
         jobs: The runs. Each is run, whatever its folder holds already; `pending` returns those that are not complete.

@@ -38,12 +38,12 @@ class Run(NamedTuple):
         return load_arrays(self.folder / DECISIONS)
 
     def spent(self) -> Spent:
-        """Return the seconds that it took; NaN where nobody knows."""
+        """Return the seconds that it took; NaN where that is not known."""
         return load_timing(self.folder)
 
 
 class Failure(NamedTuple):
-    """One run that is not: it failed, its files are damaged, or it was not run yet."""
+    """A run without results: it failed, its files are damaged, or it was not run yet."""
 
     environment: str
     variant: str
@@ -63,7 +63,7 @@ class Study(NamedTuple):
     search: Searched | None = None
     """The table of constant levels that were tried, where one was searched for."""
     waiting: tuple[Failure, ...] = ()
-    """Runs that were not run yet, as where a study was interrupted."""
+    """Runs that were not run yet, because the study was interrupted."""
 
     def spent(self) -> Spent:
         """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
@@ -71,7 +71,7 @@ class Study(NamedTuple):
         return Spent(sum(read_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
 
     def sittings(self) -> int:
-        """Return how often the study was begun or gone on with."""
+        """Return how often the study was begun or resumed."""
         return len(read_sittings(self.folder))
 
     def of(self, environment: str, variant: str) -> list[Run]:
@@ -80,7 +80,7 @@ class Study(NamedTuple):
 
 
 def read_study(folder: Path, plan: Plan) -> Study:
-    """Read the runs of a plan; those that failed and those that wait to be run stand apart, none is left out.
+    """Read the runs of a plan: the complete ones, those that failed, and those that were not run yet.
 
     Returns:
         The study, with the control of the level that was searched for in its plan.
