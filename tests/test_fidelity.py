@@ -13,7 +13,7 @@ from tutorstudent_prototype2.calibration.command import LOOKS, PREDICTIONS
 from tutorstudent_prototype2.calibration.dependence import correlations, learner_cases, tutor_cases
 from tutorstudent_prototype2.calibration.predictive import load_predictions
 from tutorstudent_prototype2.calibration.walks import load_looks
-from tutorstudent_prototype2.pipelines import frozen_setting
+from tutorstudent_prototype2.pipelines import read_frozen_setting
 
 PAGE = (Path(__file__).parents[1] / "docs" / "fidelity.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| `([\w.]+)`(?:, `(\w+)`)? \| ([^|]+) \| ([^|]+) \|", flags=re.MULTILINE)
@@ -54,7 +54,7 @@ def named(leaves: dict[str, Any]) -> dict[str, Any]:
 
 
 def test_every_frozen_choice_is_on_the_page_with_its_value() -> None:
-    setting = frozen_setting()
+    setting = read_frozen_setting()
     frozen = named(flat(dict(setting["world"]), "world") | flat(dict(setting["tutor"]), "tutor"))
     assert 6 == len(frozen.pop("world.box_places"))
     page = {name: values[0] for name, values in printed().items()}

@@ -9,7 +9,7 @@ import tutorstudent as ts
 
 
 @contextmanager
-def needed(who: str, distribution: str) -> Iterator[None]:
+def explain_missing(who: str, distribution: str) -> Iterator[None]:
     """Turn a failed import within into a sentence.
 
     Args:

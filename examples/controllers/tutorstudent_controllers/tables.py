@@ -45,8 +45,8 @@ def _lines(study: Study, environment: Environment, measures: Sequence[Measure]) 
             yield _row([name, "no run is complete"])
             continue
         gained, harmed = _against(gain, runs, alone), _against(harm, runs, alone)
-        cells = [f"{_spread(gain, runs)} {_signed(gained)}", f"{_spread(harm, runs)} {_signed(harmed)}"]
-        said = verdict(_scaled(harmed, per), MARGIN) if variant.name != environment.reference else ""
+        cells = [f"{_spread(gain, runs)} {_add_sign(gained)}", f"{_spread(harm, runs)} {_add_sign(harmed)}"]
+        said = verdict(_scale(harmed, per), MARGIN) if variant.name != environment.reference else ""
         others = [_spread(measure, runs) for measure in rest]
         level = np.mean([run.summary["mean_level"] for run in runs])
         yield _row([name, *cells, said, *others, f"{level:.1f}", str(len(runs))])
@@ -58,7 +58,7 @@ def _against(measure: Measure, runs: Sequence[Run], alone: Sequence[Run]) -> Dif
     return difference(*zip(*pairs, strict=True)) if pairs else Difference(0.0, None, None)
 
 
-def _scaled(found: Difference, by: float) -> Difference:
+def _scale(found: Difference, by: float) -> Difference:
     interval = None if found.interval is None else (found.interval[0] * by, found.interval[1] * by)
     return Difference(found.mean * by, interval, None if found.upper is None else found.upper * by)
 
@@ -68,7 +68,7 @@ def _spread(measure: Measure, runs: Sequence[Run]) -> str:
     return f"{np.mean(values):.4g} ± {np.std(values, ddof=1) if len(values) > 1 else 0:.2g}"
 
 
-def _signed(found: Difference) -> str:
+def _add_sign(found: Difference) -> str:
     if found.interval is None:
         return f"({found.mean:+.3g})"
     if found.mean == 0 and found.interval == (0, 0):

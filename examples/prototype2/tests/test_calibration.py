@@ -9,7 +9,7 @@ import pytest
 import tutorstudent as ts
 from tutorstudent_prototype2.calibration import predictive, walks
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, admissible, agrees, misfit
-from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, moved, setting_of
+from tutorstudent_prototype2.calibration.choices import CHOICES, NARROW, START, WIDE, move, setting_of
 from tutorstudent_prototype2.calibration.freezing import (
     AFTER_ROUNDS,
     Candidate,
@@ -28,7 +28,7 @@ from tutorstudent_prototype2.calibration.predictive import (
     keep_predictions,
     load_predictions,
     predict,
-    predicted,
+    run_look,
     save_predictions,
 )
 from tutorstudent_prototype2.calibration.trials import Counts, Limits, run_under
@@ -58,7 +58,7 @@ def test_every_step_stays_within_the_bounds(stride):
     rng = np.random.default_rng(1)
     choices = dict(START)
     for _ in range(2000):
-        choices = moved(choices, stride, rng)
+        choices = move(choices, stride, rng)
 
         assert all(CHOICES[name].low <= value <= CHOICES[name].high for name, value in choices.items())
 
@@ -67,7 +67,7 @@ def test_walks_reach_all_of_a_range_and_favour_no_part_of_it():
     rng = np.random.default_rng(2)
     choices, seen = dict(START), []
     for _ in range(20_000):
-        choices = moved(choices, WIDE, rng)
+        choices = move(choices, WIDE, rng)
         seen.append(choices["tutor.rotation"])
     low, high = CHOICES["tutor.rotation"].low, CHOICES["tutor.rotation"].high
     share, _ = np.histogram(seen, bins=5, range=(low, high))
@@ -112,7 +112,7 @@ def test_boxes_stand_on_free_floor_apart_from_each_other():
     rng = np.random.default_rng(3)
     places = [(50.0, 20.0), (20.0, 80.0), (80.0, 80.0)]
     for _ in range(50):
-        places = floor.moved(places, 1 / 6, rng)
+        places = floor.move(places, 1 / 6, rng)
         metres = [(x * 0.15, y * 0.15) for x, y in places]
 
         assert all(min(x, y, 15 - x, 15 - y) > WALL_M - 1e-9 for x, y in metres)
@@ -271,7 +271,7 @@ def test_a_longer_learning_phase_is_run_where_it_would_have_overruled_an_ampbit(
         return FREE._replace(attractors=float(pipeline.partition("-")[2] or 2500))
 
     monkeypatch.setattr(predictive, "run_under", run_under)
-    prediction = predicted(look_at(1, True), "cave-box")
+    prediction = run_look(look_at(1, True), "cave-box")
 
     assert run == prediction.run
     assert {phase: float(phase if phase in run else 2500) for phase in PHASES} == {

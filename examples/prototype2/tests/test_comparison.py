@@ -10,7 +10,7 @@ import pytest
 
 from tutorstudent.study import Run
 from tutorstudent_prototype2.comparison import Cell, cells, scores
-from tutorstudent_prototype2.summaries import paired, standard_error_of_difference, summarize
+from tutorstudent_prototype2.summaries import pair_up, standard_error_of_difference, summarize
 from tutorstudent_prototype2.thesis import rows
 
 
@@ -43,10 +43,10 @@ def test_a_single_run_has_no_interval_and_equal_runs_have_an_empty_one() -> None
 
 
 def test_differences_are_paired_by_seed() -> None:
-    found = paired({0: 3.0, 1: 9.0, 5: 100.0}, {0: 1.0, 1: 5.0, 7: 0.0})
+    found = pair_up({0: 3.0, 1: 9.0, 5: 100.0}, {0: 1.0, 1: 5.0, 7: 0.0})
     assert found is not None
     assert (2, 3.0) == found[:2]
-    assert None is paired({0: 1.0}, {1: 1.0})
+    assert None is pair_up({0: 1.0}, {1: 1.0})
 
 
 def test_within_one_standard_deviation_of_the_thesis() -> None:

@@ -9,7 +9,7 @@ from tutorstudent_prototype2.calibration.choices import CHOICES, START
 from tutorstudent_prototype2.calibration.dependence import Case, correlations, learner_cases, tutor_cases
 from tutorstudent_prototype2.calibration.freezing import Candidate, save_candidates
 from tutorstudent_prototype2.calibration.predictive import PHASES, Prediction, save_predictions
-from tutorstudent_prototype2.calibration.summary import described
+from tutorstudent_prototype2.calibration.summary import describe
 from tutorstudent_prototype2.calibration.trials import Counts
 from tutorstudent_prototype2.calibration.walks import Look, save_looks
 from tutorstudent_prototype2.thesis import prototype2
@@ -61,7 +61,7 @@ def shown(tmp_path) -> str:
     save_looks(tmp_path / "looks", looks)
     save_candidates(tmp_path / "candidates", [Candidate(looks[0], {scene: [counted(7)] for scene in ENVIRONMENTS})])
     save_predictions(tmp_path / "predictions", predictions)
-    return "\n".join(described(tmp_path / "looks", tmp_path / "candidates", tmp_path / "predictions"))
+    return "\n".join(describe(tmp_path / "looks", tmp_path / "candidates", tmp_path / "predictions"))
 
 
 def test_what_is_shown_says_how_many_were_looked_at_and_which_is_frozen(shown):
@@ -96,7 +96,7 @@ def test_every_choice_has_its_correlation_in_every_environment(shown):
 def test_without_candidates_and_predictions_the_looks_are_shown(tmp_path):
     save_looks(tmp_path / "looks", [look_at(1)])
 
-    lines = list(described(tmp_path / "looks", tmp_path / "none", tmp_path / "none"))
+    lines = list(describe(tmp_path / "looks", tmp_path / "none", tmp_path / "none"))
 
     assert "1 settings looked at" in lines[0]
     assert not any("candidate" in line or "prediction" in line for line in lines)

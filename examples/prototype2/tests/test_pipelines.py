@@ -8,7 +8,15 @@ from typing import Any
 import pytest
 
 import tutorstudent as ts
-from tutorstudent_prototype2.pipelines import ENVIRONMENTS, FOLDER, NAMES, SHARED, frozen_setting, load, read_setting
+from tutorstudent_prototype2.pipelines import (
+    ENVIRONMENTS,
+    FOLDER,
+    NAMES,
+    SHARED,
+    load,
+    read_frozen_setting,
+    read_setting,
+)
 
 SETTING = {
     "world": {"camera_fov_deg": 60.0, "prey": {"forward": 0.5}},
@@ -102,4 +110,4 @@ def test_a_setting_that_is_none(tmp_path: Path, text: str | None, message: str) 
 
 
 def test_the_frozen_setting_has_the_parts_of_a_setting() -> None:
-    assert set(frozen_setting()) <= {"world", "tutor", "encoder"}
+    assert set(read_frozen_setting()) <= {"world", "tutor", "encoder"}

@@ -10,7 +10,7 @@ import pytest
 import tutorstudent as ts
 from tutorstudent.study import Job
 from tutorstudent_prototype2.pipelines import ENVIRONMENTS, load, load_all
-from tutorstudent_prototype2.running import finish, known_scenes, plan_of
+from tutorstudent_prototype2.running import finish, plan_of, read_scenes
 
 SCENE = "chase-avoid"
 
@@ -38,12 +38,12 @@ def test_all_controllers_begin_in_the_same_world() -> None:
 
 
 def test_scenes_are_the_thesiss() -> None:
-    assert list(ENVIRONMENTS) == known_scenes(",".join(ENVIRONMENTS))
-    assert ["cave-box"] == known_scenes(" cave-box ,")
+    assert list(ENVIRONMENTS) == read_scenes(",".join(ENVIRONMENTS))
+    assert ["cave-box"] == read_scenes(" cave-box ,")
     with pytest.raises(ts.PipelineError, match=r"--scenes cave: there is no environment 'cave'. Environments: chase-"):
-        known_scenes("cave")
+        read_scenes("cave")
     with pytest.raises(ts.PipelineError, match="no environment is named"):
-        known_scenes(" , ")
+        read_scenes(" , ")
 
 
 def test_what_was_run_is_not_run_again(tmp_path: Path) -> None:

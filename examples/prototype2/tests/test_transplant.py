@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tutorstudent.study import Run
-from tutorstudent_prototype2.head_start import ALONE, FRESH, TRANSPLANTED, head_start, measured
+from tutorstudent_prototype2.head_start import ALONE, FRESH, TRANSPLANTED, head_start, measure
 from tutorstudent_prototype2.transplant import donor_jobs, recipient_jobs
 
 NAMES = {
@@ -41,7 +41,7 @@ def run(
 
 
 def test_the_beginning_and_all_are_counted(tmp_path: Path) -> None:
-    found = measured(run(tmp_path, TRANSPLANTED, 0, [1, 3, 4, 8], bumps=[2, 9]), 4)
+    found = measure(run(tmp_path, TRANSPLANTED, 0, [1, 3, 4, 8], bumps=[2, 9]), 4)
     assert {
         "attractors, first 4 decisions": 2.0,
         "attractors, all": 3.0,  # 3 and 4 are one
@@ -55,7 +55,7 @@ def test_the_beginning_and_all_are_counted(tmp_path: Path) -> None:
 
 
 def test_a_student_that_names_no_kinds_has_no_match_rate(tmp_path: Path) -> None:
-    assert np.isnan(measured(run(tmp_path, ALONE, 0, [], proposed=-1), 4)["match rate, all, %"])
+    assert np.isnan(measure(run(tmp_path, ALONE, 0, [], proposed=-1), 4)["match rate, all, %"])
 
 
 @pytest.mark.parametrize(

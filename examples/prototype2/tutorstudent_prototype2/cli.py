@@ -18,7 +18,7 @@ from tutorstudent_prototype2.heldout import heldout
 from tutorstudent_prototype2.intervals import intervals
 from tutorstudent_prototype2.pipelines import ENVIRONMENTS
 from tutorstudent_prototype2.reproduce import reproduce
-from tutorstudent_prototype2.running import known_scenes
+from tutorstudent_prototype2.running import read_scenes
 from tutorstudent_prototype2.sheets import Section, show
 from tutorstudent_prototype2.transplant import transplant
 
@@ -52,7 +52,7 @@ def reproduce_command(
 ) -> None:
     """Tables 2 to 9 beside ours: prototype 2, 2A and controls in four environments."""
     with _resumable():
-        study, sections = reproduce(known_scenes(scenes), runs, decisions, workers, out)
+        study, sections = reproduce(read_scenes(scenes), runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
 
 
@@ -66,7 +66,7 @@ def intervals_command(
 ) -> None:
     """In which decisions learning takes place (5.2.5): prototype 2A, taught within one interval only."""
     with _resumable():
-        study, sections = intervals(known_scenes(scenes), runs, decisions, workers, out)
+        study, sections = intervals(read_scenes(scenes), runs, decisions, workers, out)
     _end(sections, len(study.failures), out)
 
 

@@ -57,7 +57,9 @@ def cells(runs: Sequence[Run]) -> list[Cell]:
     for row in rows():
         mine = [run for run in runs if (run.environment, run.variant) == (row.environment, row.pipeline)]
         for measure in MEASURES if mine else ():
-            found.append(Cell(row, measure, *_printed(row, measure), summarize([run.summary[measure] for run in mine])))
+            found.append(
+                Cell(row, measure, *_read_printed(row, measure), summarize([run.summary[measure] for run in mine]))
+            )
     return found
 
 
@@ -76,12 +78,12 @@ def scores(found: Sequence[Cell]) -> list[Score]:
     return scored
 
 
-def _printed(row: Row, measure: str) -> tuple[float, float]:
+def _read_printed(row: Row, measure: str) -> tuple[float, float]:
     return (row.attractors, row.attractors_sd) if measure == ATTRACTORS else (row.collisions, row.collisions_sd)
 
 
 def _alone(cell: Cell) -> float:
-    return _printed(prototype2(cell.row.environment), cell.measure)[0]
+    return _read_printed(prototype2(cell.row.environment), cell.measure)[0]
 
 
 def _score(prediction: str, found: Sequence[Cell], predicted: Callable[[Cell], float]) -> Score:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from tutorstudent.study import Environment, Run, Study
 from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, difference, number, spread
-from tutorstudent_prototype2.summaries import INTERVALS, paired, summarize
+from tutorstudent_prototype2.summaries import INTERVALS, pair_up, summarize
 
 LEARNER = "prototype2a"
 HEADER = ("", "attractors", "less 2A's", "collided", "per 100 m", "contacts", "m/s", "way, m", "stall")
@@ -48,7 +48,7 @@ def _row(runs: Sequence[Run], learner: dict[int, float], itself: bool) -> list[s
     means = {key: summarize([run.summary[key] for run in runs]) for key in ("attractors", "collided", "contacts")}
     return [
         spread(*means["attractors"][1:3]),
-        NOTHING if itself else difference(paired(by_seed(runs, "attractors"), learner)),
+        NOTHING if itself else difference(pair_up(by_seed(runs, "attractors"), learner)),
         spread(*means["collided"][1:3]),
         _rate([_per_100_m(run) for run in runs]),
         spread(*means["contacts"][1:3]),

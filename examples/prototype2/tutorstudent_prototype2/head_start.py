@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tutorstudent.study import Run
 from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, difference, number
-from tutorstudent_prototype2.summaries import INTERVALS, Summary, paired, summarize
+from tutorstudent_prototype2.summaries import INTERVALS, Summary, pair_up, summarize
 
 ALONE, FRESH, TRANSPLANTED = "prototype2", "from-nothing", "transplanted"
 PREY_SPIN = "Prey Spin"
@@ -30,7 +30,7 @@ def head_start(title: str, runs: Sequence[Run], first: int) -> Section:
         first: How many decisions the beginning of a run has, in which "more quickly" (5.2.3) would show.
     """
     found = {
-        name: {run.seed: measured(run, first) for run in runs if run.variant == name}
+        name: {run.seed: measure(run, first) for run in runs if run.variant == name}
         for name in (ALONE, FRESH, TRANSPLANTED)
     }
     measures = next((list(values) for group in found.values() for values in group.values()), [])
@@ -43,7 +43,7 @@ def head_start(title: str, runs: Sequence[Run], first: int) -> Section:
     return Section(Sheet(title, ("", *found, "difference"), rows), (columns, _reading(more)))
 
 
-def measured(run: Run, first: int) -> Measured:
+def measure(run: Run, first: int) -> Measured:
     """Return what is compared of one run, by title; NaN where there is nothing to measure."""
     arrays = run.arrays()
     found = {
@@ -90,7 +90,7 @@ def _mean(group: Iterable[Measured], measure: str) -> str:
 
 def _more(found: Mapping[str, BySeed], measure: str) -> Summary | None:
     ours, theirs = ({seed: values[measure] for seed, values in found[name].items()} for name in (TRANSPLANTED, FRESH))
-    return paired(ours, theirs)
+    return pair_up(ours, theirs)
 
 
 def _reading(more: Mapping[str, Summary | None]) -> str:

@@ -17,8 +17,8 @@ from tutorstudent.study import Environment, Run, Study, run_study
 from tutorstudent_prototype2.contrast import by_seed
 from tutorstudent_prototype2.pipelines import load
 from tutorstudent_prototype2.running import plan_of
-from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, difference, markdown, number, signed, spread
-from tutorstudent_prototype2.summaries import INTERVALS, Summary, paired, summarize
+from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, add_sign, difference, markdown, number, spread
+from tutorstudent_prototype2.summaries import INTERVALS, Summary, pair_up, summarize
 
 PARTS = ((0.0, 0.1), (0.0, 0.25), (0.25, 0.5), (0.5, 0.75), (0.75, 1.0))
 """The intervals, as parts of a run; of 10,000 decisions the first thousand and the four quarters."""
@@ -105,22 +105,22 @@ def _row(name: str, runs: dict[str, list[Run]]) -> list[str]:
 def reading(runs: dict[str, list[Run]]) -> list[str]:
     """Say which intervals have shown that teaching in them matters for attractors, and what of that is the whole's."""
     whole = _more(runs, WHOLE, NEVER)
-    if whole is None or not _shown(whole):
+    if whole is None or not _is_shown(whole):
         return ["Teaching throughout has not shown to differ from never teaching: there is no learning to divide."]
     said = [
-        f"Teaching throughout is worth {signed(whole.mean)} attractors over never. Of that (each at 95 % by itself):"
+        f"Teaching throughout is worth {add_sign(whole.mean)} attractors over never. Of that (each at 95 % by itself):"
     ]
     for name in runs:
         more = None if name in (ALONE, NEVER, WHOLE) else _more(runs, name, NEVER)
         if more is not None:
-            word = f"{100 * more.mean / whole.mean:.0f} %" if _shown(more) else "nothing that shows"
+            word = f"{100 * more.mean / whole.mean:.0f} %" if _is_shown(more) else "nothing that shows"
             said.append(f"* {name}: {word}")
     return ["\n".join(said)]
 
 
-def _shown(more: Summary) -> bool:
+def _is_shown(more: Summary) -> bool:
     return more.low > 0 or more.high < 0
 
 
 def _more(runs: dict[str, list[Run]], name: str, than: str) -> Summary | None:
-    return paired(by_seed(runs[name], "attractors"), by_seed(runs[than], "attractors"))
+    return pair_up(by_seed(runs[name], "attractors"), by_seed(runs[than], "attractors"))

@@ -45,7 +45,7 @@ def cost(study: Study) -> Section:
         ("CPU time, s", f"{spent.cpu_s:.0f}"),
         ("settings tried before one was frozen", f"{settings_tried()}"),
     )
-    return Section(Sheet("What it took", ("", "number"), rows), tuple(map(str, _failed(study))))
+    return Section(Sheet("What it took", ("", "number"), rows), tuple(map(str, _list_failures(study))))
 
 
 def settings_tried(looks: Path = LOOKS) -> int:
@@ -53,5 +53,5 @@ def settings_tried(looks: Path = LOOKS) -> int:
     return sum(look.round <= AFTER_ROUNDS for look in load_looks(looks)) if looks.exists() else 0
 
 
-def _failed(study: Study) -> list[str]:
+def _list_failures(study: Study) -> list[str]:
     return [f"failed: {run.environment}, {run.variant}, seed {run.seed}: {run.problem}" for run in study.failures]

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tutorstudent.study import Run
 from tutorstudent_prototype2.comparison import ATTRACTORS, MEASURES, TITLES, Cell, cells, scores
 from tutorstudent_prototype2.remarks import remarks
-from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, interval, number, signed, spread, yes
+from tutorstudent_prototype2.sheets import NOTHING, Section, Sheet, add_sign, interval, number, spread, yes
 from tutorstudent_prototype2.summaries import INTERVALS
 from tutorstudent_prototype2.thesis import Improvement, improvements, percent_more
 
@@ -64,7 +64,13 @@ def _improvement(printed: Improvement, measure: str, mine: Sequence[Cell]) -> It
         ours = _percent(measure, printed.learning_phase, mine)
         sign = yes(ours * said > 0) if math.isfinite(ours) else NOTHING
         name = f"{_controller(printed.learning_phase)}, {TITLES[measure]}"
-        yield (name, f"{said:+.1f}" if said == round(said, 1) else f"{said:+}", signed(ours), signed(ours - said), sign)
+        yield (
+            name,
+            f"{said:+.1f}" if said == round(said, 1) else f"{said:+}",
+            add_sign(ours),
+            add_sign(ours - said),
+            sign,
+        )
 
 
 def _percent(measure: str, learning_phase: int, mine: Sequence[Cell]) -> float:

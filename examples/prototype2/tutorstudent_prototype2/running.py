@@ -33,7 +33,7 @@ def plan_of(
     return make_plan(request, ts.Registry.discover())
 
 
-def known_scenes(text: str) -> list[str]:
+def read_scenes(text: str) -> list[str]:
     """Return the scenes of a list with commas.
 
     Raises:

@@ -43,10 +43,10 @@ def number(value: float) -> str:
     return f"{value:.0f}" if abs(value) >= 100 else f"{round(value, 1) + 0.0:.1f}"  # no minus before a zero
 
 
-def signed(value: float) -> str:
+def add_sign(value: float) -> str:
     """Return a difference.
 
-    >>> [signed(value) for value in (2.04, -3.0, -0.04, float("nan"))]
+    >>> [add_sign(value) for value in (2.04, -3.0, -0.04, float("nan"))]
     ['+2.0', '-3.0', '0.0', '-']
     """
     return f"+{number(value)}" if round(value, 1) > 0 else number(value)
@@ -64,7 +64,7 @@ def spread(mean: float, sd: float) -> str:
 def interval(low: float, high: float, text: Any = number) -> str:
     """Return an interval; a dash where there is none.
 
-    >>> interval(1.0, 3.5), interval(-1.0, 3.5, signed), interval(float("nan"), float("nan"))
+    >>> interval(1.0, 3.5), interval(-1.0, 3.5, add_sign), interval(float("nan"), float("nan"))
     ('[1.0, 3.5]', '[-1.0, +3.5]', '-')
     """
     return f"[{text(low)}, {text(high)}]" if math.isfinite(low) and math.isfinite(high) else NOTHING
@@ -74,7 +74,7 @@ def difference(found: Summary | None) -> str:
     """Return a mean of differences with its interval; a dash where nothing was compared."""
     if found is None:
         return NOTHING
-    return f"{signed(found.mean)} {interval(found.low, found.high, signed)}"
+    return f"{add_sign(found.mean)} {interval(found.low, found.high, add_sign)}"
 
 
 def yes(value: bool) -> str:

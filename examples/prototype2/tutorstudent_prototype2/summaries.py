@@ -41,10 +41,10 @@ def summarize(values: Sequence[float]) -> Summary:
     return Summary(runs, mean, sd, float(np.median(array)), mean - half, mean + half)
 
 
-def paired(ours: Mapping[int, float], theirs: Mapping[int, float]) -> Summary | None:
+def pair_up(ours: Mapping[int, float], theirs: Mapping[int, float]) -> Summary | None:
     """Return the differences over the seeds that both have; None where they have none in common.
 
-    >>> paired({0: 5.0, 1: 7.0, 2: 1.0}, {0: 4.0, 1: 4.0}).mean
+    >>> pair_up({0: 5.0, 1: 7.0, 2: 1.0}, {0: 4.0, 1: 4.0}).mean
     2.0
     """
     seeds = sorted(ours.keys() & theirs.keys())

@@ -6,7 +6,7 @@ import importlib
 import warnings
 from typing import Any
 
-from tutorstudent_controllers.missing import needed
+from tutorstudent_controllers.missing import explain_missing
 
 
 def load_box2d(module: str, who: str) -> Any:
@@ -17,6 +17,6 @@ def load_box2d(module: str, who: str) -> Any:
     Raises:
         PipelineError: Something that it needs is not installed.
     """
-    with warnings.catch_warnings(), needed(who, "gymnasium[box2d]"):
+    with warnings.catch_warnings(), explain_missing(who, "gymnasium[box2d]"):
         warnings.filterwarnings("ignore", "builtin type", DeprecationWarning)
         return importlib.import_module(f"gymnasium.envs.box2d.{module}")

@@ -41,7 +41,7 @@ class Walker(GymnasiumWorld):
     def step(self, action: ts.Action) -> ts.Step[GymState]:
         done = super().step(action)
         state = done.state
-        ended = {"falls": _lost(state), "arrivals": state.terminated and not _lost(state)}
+        ended = {"falls": _is_lost(state), "arrivals": state.terminated and not _is_lost(state)}
         way_m = float(state.observation[2]) / SPEED_SCALE
         return done._replace(events={**done.events, **_counts(ended), "distance_m": way_m})
 
@@ -71,11 +71,11 @@ class Lander(GymnasiumWorld):
     def step(self, action: ts.Action) -> ts.Step[GymState]:
         done = super().step(action)
         state = done.state
-        ended = {"crashes": _lost(state), "landings": state.terminated and not _lost(state)}
+        ended = {"crashes": _is_lost(state), "landings": state.terminated and not _is_lost(state)}
         return done._replace(events={**done.events, **_counts(ended)})
 
 
-def _lost(state: GymState) -> bool:
+def _is_lost(state: GymState) -> bool:
     return state.terminated and state.reward <= LOST
 
 

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 import tutorstudent as ts
-from tutorstudent_controllers.missing import needed
+from tutorstudent_controllers.missing import explain_missing
 from tutorstudent_controllers.pid.state import Heat, PlateState
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class SimplePid(ts.Tutor[PlateState, Heat]):
         return self._situation
 
     def _controller(self) -> PID:
-        with needed("tutor 'simple-pid'", "simple-pid"):
+        with explain_missing("tutor 'simple-pid'", "simple-pid"):
             from simple_pid import PID
         options = self.options
         return PID(

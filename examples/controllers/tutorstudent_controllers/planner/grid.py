@@ -35,7 +35,7 @@ class Grid:
         for outline in outlines:
             points = np.concatenate([_along(a, b, cell_m / 2) for a, b in _sides(outline)])
             edges[tuple(((points - self._low_m) // cell_m).astype(int).T)] = True
-        self.free = ~_grown(edges, keep_m / cell_m)
+        self.free = ~_grow(edges, keep_m / cell_m)
         """Shape (cells along x, cells along y)."""
         if not self.free.any():
             raise ts.ContractError(f"the map has no place that is {keep_m} m away from everything; lower keep_m.")
@@ -73,7 +73,7 @@ def _along(a: Point, b: Point, step_m: float) -> NDArray[np.float64]:
     return points
 
 
-def _grown(marked: NDArray[np.bool_], radius: float) -> NDArray[np.bool_]:
+def _grow(marked: NDArray[np.bool_], radius: float) -> NDArray[np.bool_]:
     """Return which cells lie within a radius, in cells, of a marked one."""
     reach = math.ceil(radius)
     wide = np.pad(marked, reach)

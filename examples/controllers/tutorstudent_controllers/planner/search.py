@@ -26,7 +26,7 @@ def shortest_path(free: NDArray[np.bool_], start: Cell, goal: Cell) -> list[Cell
     while queue:
         _, cell = heapq.heappop(queue)
         if cell == goal:
-            return _traced(came, goal)
+            return _trace(came, goal)
         if cell in closed:
             continue
         closed.add(cell)
@@ -51,7 +51,7 @@ def _estimate(cell: Cell, goal: Cell) -> float:
     return math.sqrt(2) * near + (far - near)
 
 
-def _traced(came: dict[Cell, Cell], goal: Cell) -> list[Cell]:
+def _trace(came: dict[Cell, Cell], goal: Cell) -> list[Cell]:
     path = [goal]
     while path[-1] in came:
         path.append(came[path[-1]])

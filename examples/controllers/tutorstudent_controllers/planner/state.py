@@ -32,7 +32,7 @@ class Pose:
     y_m: float
     heading_rad: float
 
-    def seen(self, point: Point) -> tuple[float, float]:
+    def locate(self, point: Point) -> tuple[float, float]:
         """Return distance (m) and bearing (rad, left positive, in [-pi, pi]) of a point."""
         x_m, y_m = point[0] - self.x_m, point[1] - self.y_m
         bearing_rad = math.remainder(math.atan2(y_m, x_m) - self.heading_rad, math.tau)

@@ -56,7 +56,7 @@ class GridPlanner(ts.Tutor[LocatedState, ArcAction]):
         if state.outlines != self._outlines:
             self._grid = Grid(state.outlines, self.options.cell_m, self.options.keep_m)
             self._outlines, self._path = state.outlines, []
-        arrived = self._arrived(state.pose)
+        arrived = self._has_arrived(state.pose)
         if arrived or not self._path:
             self._plan(state.pose, self._new_goal(state.pose))
         action = self._recovery(state) or self._drive(state.pose)
@@ -64,15 +64,15 @@ class GridPlanner(ts.Tutor[LocatedState, ArcAction]):
             self._situation = ARRIVED
         return action
 
-    def _arrived(self, pose: Pose) -> bool:
-        return bool(self._path) and pose.seen(self._path[-1])[0] < self.options.arrived_m
+    def _has_arrived(self, pose: Pose) -> bool:
+        return bool(self._path) and pose.locate(self._path[-1])[0] < self.options.arrived_m
 
     def _new_goal(self, pose: Pose) -> Cell:
         cells = np.argwhere(self._grid.free)
         for _ in range(TRIES):
             i, j = self.rng.choice(cells)
             goal = (int(i), int(j))
-            far = pose.seen(self._grid.middle(goal))[0] >= self.options.goal_m
+            far = pose.locate(self._grid.middle(goal))[0] >= self.options.goal_m
             if far and self._way(pose, goal):
                 return goal
         raise ts.ContractError(
@@ -102,7 +102,7 @@ class GridPlanner(ts.Tutor[LocatedState, ArcAction]):
         if not self._path:
             return self._stop(NO_WAY)
         self._at = progress(self._path, pose, self._at)
-        distance_m, bearing_rad = pose.seen(target(self._path, self._at, self.options.ahead_m))
+        distance_m, bearing_rad = pose.locate(target(self._path, self._at, self.options.ahead_m))
         if abs(bearing_rad) > self.options.turn_rad:
             return self._turn(bearing_rad)
         self._situation = FOLLOW

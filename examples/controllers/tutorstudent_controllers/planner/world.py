@@ -41,15 +41,15 @@ class LocatedWorld(PioneerWorld):
         self._outlines: Outlines = tuple(tuple(outline) for outline, of in sketch.polygons if of != colour)
         self._pose = Pose(x_m, y_m, heading_rad)
         self._errors = np.random.default_rng(np.random.SeedSequence(seed).spawn(1)[0])
-        return self._located(state)
+        return self._locate(state)
 
     def step(self, action: DriveAction) -> ts.Step[PioneerState]:
         done = super().step(action)
-        located = self._located(done.state)
+        located = self._locate(done.state)
         self._pose = Pose(*(done.events[key] for key in ("x_m", "y_m", "heading_rad")))
         return done._replace(state=located)
 
-    def _located(self, state: PioneerState) -> LocatedState:
+    def _locate(self, state: PioneerState) -> LocatedState:
         x, y, heading = self._errors.standard_normal(3)
         pose = Pose(
             self._pose.x_m + self.options.place_noise_m * x,

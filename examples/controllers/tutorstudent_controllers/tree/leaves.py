@@ -125,11 +125,11 @@ class Wanders(Behaviour):
         return Status.RUNNING
 
 
-def red_seen(seen: Percept) -> bool:
+def sees_red(seen: Percept) -> bool:
     """Return whether anything red is in view."""
     return seen.red_m < math.inf
 
 
-def blue_unseen(seen: Percept) -> bool:
+def sees_no_blue(seen: Percept) -> bool:
     """Return whether nothing blue is in view."""
     return seen.blue_m == math.inf

@@ -15,8 +15,8 @@ from tutorstudent_controllers.tree.leaves import (
     TurnsFromBlue,
     TurnsFromRed,
     Wanders,
-    blue_unseen,
-    red_seen,
+    sees_no_blue,
+    sees_red,
 )
 from tutorstudent_controllers.tree.percept import Percept
 
@@ -44,7 +44,7 @@ def _meet(cockpit: Cockpit) -> Behaviour:
     return _steps(
         "Meet",
         Asks("Red near?", cockpit, lambda seen: seen.red_m < options.met_m),
-        TurnsFromRed(MEETING, cockpit, options.patience, lambda seen: not red_seen(seen)),
+        TurnsFromRed(MEETING, cockpit, options.patience, lambda seen: not sees_red(seen)),
     )
 
 
@@ -53,7 +53,7 @@ def _flee(cockpit: Cockpit) -> Behaviour:
     return _steps(
         "Flee",
         Asks("Blue near?", cockpit, lambda seen: seen.blue_m < options.afraid_m),
-        TurnsFromBlue("Turn from blue", cockpit, options.patience, blue_unseen),
+        TurnsFromBlue("Turn from blue", cockpit, options.patience, sees_no_blue),
     )
 
 
@@ -75,7 +75,7 @@ def _seek(cockpit: Cockpit) -> Behaviour:
 
     turn = Faces("Face", cockpit, options.patience, facing)
     drive = Drives("Approach", cockpit, options.patience, _never)
-    return Sequence("Seek", memory=False, children=[Asks("Red seen?", cockpit, red_seen), turn, drive])
+    return Sequence("Seek", memory=False, children=[Asks("Red seen?", cockpit, sees_red), turn, drive])
 
 
 def _steps(name: str, *children: Behaviour) -> Behaviour:

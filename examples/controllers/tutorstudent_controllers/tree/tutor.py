@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tutorstudent as ts
 from tutorstudent.sims.pioneer.types import DriveAction, PioneerState
-from tutorstudent_controllers.missing import needed
+from tutorstudent_controllers.missing import explain_missing
 from tutorstudent_controllers.tree.cockpit import Cockpit
 from tutorstudent_controllers.tree.options import TreeOptions
 from tutorstudent_controllers.tree.percept import perceive
@@ -26,7 +26,7 @@ class Tree(ts.Tutor[PioneerState, DriveAction]):
 
     def reset(self) -> None:
         super().reset()
-        with needed("tutor 'py-tree'", "py-trees"):
+        with explain_missing("tutor 'py-tree'", "py-trees"):
             from tutorstudent_controllers.tree.planting import plant
         self._cockpit = Cockpit(self.options, self.rng)
         self._root = plant(self._cockpit)

@@ -38,14 +38,14 @@ class Range(NamedTuple):
     high: float
     logarithmic: bool = False
 
-    def moved(self, value: float, step: float, rng: np.random.Generator) -> float:
+    def move(self, value: float, step: float, rng: np.random.Generator) -> float:
         """Return a value near another one, as probable from there as this is from here; bounds reflect.
 
         It has five significant digits, so that a setting can be written down whole.
         """
         low, high = (math.log(self.low), math.log(self.high)) if self.logarithmic else (self.low, self.high)
         here = math.log(value) if self.logarithmic else value
-        there = reflected(here + step * (high - low) * float(rng.standard_normal()), low, high)
+        there = reflect(here + step * (high - low) * float(rng.standard_normal()), low, high)
         return float(f"{math.exp(there) if self.logarithmic else there:.5g}")
 
 
@@ -55,7 +55,7 @@ class Whole(NamedTuple):
     low: int
     high: int
 
-    def moved(self, value: float, step: float, rng: np.random.Generator) -> int:
+    def move(self, value: float, step: float, rng: np.random.Generator) -> int:
         """Return a neighbour, or the value itself where a bound is in the way."""
         return min(self.high, max(self.low, int(value) + int(rng.choice((-1, 1)))))
 
@@ -105,18 +105,18 @@ START: Choices = {
 """Where every walk begins: the best setting of an earlier calibration in another simulator, on prototype 2 too."""
 
 
-def moved(choices: Choices, stride: Stride, rng: np.random.Generator) -> dict[str, float]:
+def move(choices: Choices, stride: Stride, rng: np.random.Generator) -> dict[str, float]:
     """Return a neighbour."""
     return {
-        name: choice.moved(choices[name], stride.step, rng) if rng.random() < stride.changed else choices[name]
+        name: choice.move(choices[name], stride.step, rng) if rng.random() < stride.changed else choices[name]
         for name, choice in CHOICES.items()
     }
 
 
-def reflected(value: float, low: float, high: float) -> float:
+def reflect(value: float, low: float, high: float) -> float:
     """Return a value between the bounds, mirrored at them as often as it takes.
 
-    >>> [reflected(value, 0.0, 1.0) for value in (0.25, -0.25, 1.25, 2.25)]
+    >>> [reflect(value, 0.0, 1.0) for value in (0.25, -0.25, 1.25, 2.25)]
     [0.25, 0.25, 0.75, 0.25]
     """
     width = high - low

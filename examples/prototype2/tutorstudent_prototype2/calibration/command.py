@@ -22,7 +22,7 @@ from tutorstudent_prototype2.calibration.predictive import (
     predict,
     save_predictions,
 )
-from tutorstudent_prototype2.calibration.summary import described
+from tutorstudent_prototype2.calibration.summary import describe
 from tutorstudent_prototype2.calibration.walks import keep_looks, load_looks, read_looks, save_looks, stays, walk_on
 
 DATA = Path(__file__).parent / "data"
@@ -96,7 +96,7 @@ def predict_command(
 @app.command()
 def show() -> None:
     """Print what the calibration found, from the stored results; nothing is run."""
-    for line in described(LOOKS, CANDIDATES, PREDICTIONS):
+    for line in describe(LOOKS, CANDIDATES, PREDICTIONS):
         typer.echo(line)
 
 

@@ -26,7 +26,7 @@ class Floor(NamedTuple):
     """Where robots start."""
     side_m: float
 
-    def moved(self, places: Sequence[Point], changed: float, rng: np.random.Generator) -> list[Point]:
+    def move(self, places: Sequence[Point], changed: float, rng: np.random.Generator) -> list[Point]:
         """Return the places of boxes after each was moved with a probability to anywhere that is free.
 
         Places are in percent of the side, with one decimal.

@@ -86,10 +86,10 @@ def predict(folder: Path, looks: Sequence[Look], workers: int) -> Iterator[Predi
     in_turn = sorted(looks, key=lambda look: (look.round, look.walk))
     jobs = [(look, scene) for look in in_turn for scene in ENVIRONMENTS]
     parallel = Parallel(n_jobs=workers, return_as="generator_unordered", batch_size=1)
-    yield from parallel(delayed(_kept)(folder, *job) for job in jobs)
+    yield from parallel(delayed(_keep)(folder, *job) for job in jobs)
 
 
-def predicted(look: Look, scene: str) -> Prediction:
+def run_look(look: Look, scene: str) -> Prediction:
     """Run prototype 2A with the shortest learning phase, and with the longer ones where they differ."""
     doubts = Doubts(PHASES[0])
     counts = {PHASES[0]: run_under(look.setting(), scene, look.seed, PIPELINES[PHASES[0]], observers=[doubts])}
@@ -152,11 +152,11 @@ def cells(
     return found
 
 
-def _kept(folder: Path, look: Look, scene: str) -> Prediction:
+def _keep(folder: Path, look: Look, scene: str) -> Prediction:
     path = _file(folder, scene, look)
     if path.exists():
         return _from_text(path.read_text(encoding="utf-8"))
-    prediction = predicted(look, scene)
+    prediction = run_look(look, scene)
     partial = path.with_suffix(f".{os.getpid()}")
     partial.write_text(_text(prediction), encoding="utf-8")
     partial.replace(path)

@@ -28,7 +28,7 @@ MEASURES = {"attractors": "attractors", "collided": "collisions"}
 """Names of `Counts` and of the thesis's rows."""
 
 
-def described(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]:
+def describe(looks: Path, candidates: Path, predictions: Path) -> Iterator[str]:
     """Yield lines about the files that exist."""
     seen = load_looks(looks)
     tried = load_candidates(candidates) if candidates.exists() else []
@@ -124,10 +124,10 @@ def _dependence(looks: Sequence[Look], predictions: Sequence[Prediction]) -> Ite
         yield "| free choice | " + " | ".join(ENVIRONMENTS) + " |"
         yield "|---|" + "---:|" * len(ENVIRONMENTS)
         for name in CHOICES:
-            shown = (f"{_signed(tutor[name])} / {_signed(learner[name])}" for tutor, learner in pairs)
+            shown = (f"{_add_sign(tutor[name])} / {_add_sign(learner[name])}" for tutor, learner in pairs)
             yield f"| {name} | " + " | ".join(shown) + " |"
         yield ""
 
 
-def _signed(value: float) -> str:
+def _add_sign(value: float) -> str:
     return "-" if math.isnan(value) else f"{value:+.2f}"

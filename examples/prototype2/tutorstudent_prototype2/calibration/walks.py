@@ -22,7 +22,7 @@ import numpy as np
 from joblib import Parallel, delayed
 
 from tutorstudent_prototype2.calibration.agreement import ENVIRONMENTS, agrees, limits
-from tutorstudent_prototype2.calibration.choices import NARROW, START, WIDE, moved, setting_of
+from tutorstudent_prototype2.calibration.choices import NARROW, START, WIDE, move, setting_of
 from tutorstudent_prototype2.calibration.places import Floor, Point
 from tutorstudent_prototype2.calibration.trials import Counts, run_under
 from tutorstudent_prototype2.pipelines import load
@@ -72,11 +72,11 @@ def neighbour(here: Look, number: int) -> Look:
     """Return the setting that a walk looks at next, in round `number`."""
     rng = np.random.default_rng([FIRST_SEED, here.walk, number])
     stride = WIDE if number <= WIDE_ROUNDS else NARROW
-    choices = moved(here.choices, stride, rng)
-    return Look(here.walk, number, choices, _floor().moved(here.box_places, stride.changed / 2, rng), {})
+    choices = move(here.choices, stride, rng)
+    return Look(here.walk, number, choices, _floor().move(here.box_places, stride.changed / 2, rng), {})
 
 
-def tried(look: Look) -> Look:
+def try_out(look: Look) -> Look:
     """Run prototype 2 under a setting, environment by environment, until one speaks against it."""
     counts: dict[str, Counts] = {}
     for scene in ENVIRONMENTS:
@@ -139,7 +139,7 @@ def _look(folder: Path, here: Look, number: int) -> Look:
     path = _file(folder, here._replace(round=number))
     if path.exists():
         return from_text(path.read_text(encoding="utf-8"))
-    look = tried(neighbour(here, number))
+    look = try_out(neighbour(here, number))
     partial = path.with_suffix(f".{os.getpid()}")
     partial.write_text(to_text(look), encoding="utf-8")
     partial.replace(path)

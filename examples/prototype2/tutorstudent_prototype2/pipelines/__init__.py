@@ -45,7 +45,7 @@ def load(name: str, scene: str, setting: Setting | None = None) -> ts.Pipeline:
     pipeline = _read(name)
     changes = {
         f"{PARTS[part]}.{key}": value
-        for part, options in _complete(frozen_setting() if setting is None else setting).items()
+        for part, options in _complete(read_frozen_setting() if setting is None else setting).items()
         if part != "encoder" or _has_encoder(pipeline)
         for key, value in options.items()
     }
@@ -57,7 +57,7 @@ def load_all(names: tuple[str, ...], scene: str, setting: Setting | None = None)
     return {name: load(name, scene, setting) for name in names}
 
 
-def frozen_setting() -> Setting:
+def read_frozen_setting() -> Setting:
     """Return the setting that all reports use."""
     return read_setting(FOLDER.parent / "setting.yaml")
 
