@@ -60,14 +60,14 @@ def is_participle(word: str) -> bool:
     return word in IRREGULAR or (word.endswith("ed") and word not in VERBS_IN_ED)
 
 
-def functions(folder: str) -> Iterator[tuple[Path, str]]:
+def functions(folder: Path) -> Iterator[tuple[Path, str]]:
     """Yield every function and method that is no property; one with a capital becomes a class."""
-    for path in sorted((PACKAGE / folder).glob("*.py")):
+    for path in sorted(folder.glob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) or node.name[0].isupper():
                 continue
             if not any("property" in ast.unparse(decorator) for decorator in node.decorator_list):
-                yield path.relative_to(PACKAGE), node.name
+                yield path.relative_to(ROOT), node.name
 
 
 def texts(path: Path) -> Iterator[str]:
@@ -82,6 +82,14 @@ def texts(path: Path) -> Iterator[str]:
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type == tokenize.COMMENT:
             yield token.string
+
+
+def participles(folder: Path) -> list[str]:
+    return [
+        f"{path}: {name}"
+        for path, name in functions(folder)
+        if is_participle(name.strip("_").split("_")[0]) and name not in CONTRACT
+    ]
 
 
 def glossary() -> set[str]:
@@ -108,15 +116,17 @@ REST = pytest.param("core/deciding", marks=pytest.mark.xfail(reason="its functio
 
 @pytest.mark.parametrize("folder", [folder for folder in FOLDERS if folder != "core/deciding"] + [REST])
 def test_functions_are_verbs(folder: str) -> None:
-    assert [] == [
-        f"{path}: {name}"
-        for path, name in functions(folder)
-        if is_participle(name.strip("_").split("_")[0]) and name not in CONTRACT
-    ]
+    assert [] == participles(PACKAGE / folder)
+
+
+def test_functions_of_the_examples_are_verbs() -> None:
+    folders = {path.parent for path in (ROOT / "examples").rglob("*.py") if "tests" not in path.parts}
+    assert folders
+    assert [] == [line for folder in sorted(folders) for line in participles(folder)]
 
 
 def test_every_exception_is_still_one() -> None:
-    assert set(CONTRACT) == {name for folder in FOLDERS for _, name in functions(folder) if name in CONTRACT}
+    assert set(CONTRACT) == {name for folder in FOLDERS for _, name in functions(PACKAGE / folder) if name in CONTRACT}
 
 
 @pytest.mark.parametrize("folder", OF_PARTS)

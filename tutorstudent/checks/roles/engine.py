@@ -7,7 +7,7 @@ from itertools import cycle, product
 from typing import Any
 
 from tutorstudent.checks.outcome import CheckSkipped, expect
-from tutorstudent.checks.roles.sound import check_action, check_graded, check_number, check_proposal
+from tutorstudent.checks.roles.sound import expect_action, expect_graded, expect_number, expect_proposal
 from tutorstudent.checks.usage import Question, Usage
 from tutorstudent.core.roles.leaves import Change
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
@@ -54,7 +54,7 @@ class TutorUsage(Usage):
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
         action, situation = answer
-        check_action(action, part.action, "act()")
+        expect_action(action, part.action, "act()")
         expect(isinstance(situation, str), "situation is a string", f"{situation!r}", "return a word, or ''")
 
 
@@ -75,7 +75,7 @@ class StudentUsage(Usage):
         return part.propose(question[0])
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        check_proposal(answer, part.proposal, self.subject.action, "propose()")
+        expect_proposal(answer, part.proposal, self.subject.action, "propose()")
 
     def _make_lesson(self, moment: Moment[Any, Any]) -> Lesson[Any, Any]:
         violated = moment.number % 3 == 2
@@ -94,7 +94,7 @@ class SelectorUsage(Usage):
         return part.select(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        check_graded(answer, question[0], "select()")
+        expect_graded(answer, question[0], "select()")
 
     def _make_proposals(self) -> list[Any]:
         declared: Any = getattr(self.subject.cls, "proposal", None)
@@ -118,8 +118,8 @@ class AmplifierUsage(Usage):
         return part.amplify(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        check_graded(answer, question[0].action, "amplify()")
-        check_number(part.amount, "amount")
+        expect_graded(answer, question[0].action, "amplify()")
+        expect_number(part.amount, "amount")
         change = part.change
         expect(isinstance(change, Change), "change is a Change", f"{change!r}", "return one, for example an option's")
 
@@ -149,4 +149,4 @@ class EvaluatorUsage(Usage):
             f"{answer!r}",
             "return Lesson(decision.moment, ...)",
         )
-        check_graded(answer.target, moment.tutor_action, "the target of evaluate()")
+        expect_graded(answer.target, moment.tutor_action, "the target of evaluate()")

@@ -11,7 +11,7 @@ import numpy as np
 
 from tutorstudent.checks.outcome import expect
 from tutorstudent.checks.roles.engine import BITS, LEVELS, make_moments
-from tutorstudent.checks.roles.sound import check_number, check_numbers, check_proposal, check_vector
+from tutorstudent.checks.roles.sound import expect_number, expect_numbers, expect_proposal, expect_vector
 from tutorstudent.checks.usage import Question, Usage
 from tutorstudent.core.words.records import GradedAction
 
@@ -29,7 +29,7 @@ class EncoderUsage(Usage):
         return vector.copy() if isinstance(vector, np.ndarray) else vector  # it may reuse its buffer
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        check_vector(answer, part.width, "encode()")
+        expect_vector(answer, part.width, "encode()")
 
 
 class CodecUsage(Usage):
@@ -45,14 +45,14 @@ class CodecUsage(Usage):
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
         numbers, proposal = answer
-        check_vector(numbers, part.width, "encode()")
+        expect_vector(numbers, part.width, "encode()")
         expect(
             bool(((numbers >= 0) & (numbers <= 1)).all()),
             "encode() returns numbers in [0, 1], which a logistic neuron can learn",
             f"{numbers}",
             "scale them into [0, 1]",
         )
-        check_proposal(proposal, part.proposal, self.subject.action, "decode()")
+        expect_proposal(proposal, part.proposal, self.subject.action, "decode()")
 
 
 class ChangeUsage(Usage):
@@ -65,7 +65,7 @@ class ChangeUsage(Usage):
         return part.fraction(*question)
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        distance = check_number(answer, "fraction()")
+        distance = expect_number(answer, "fraction()")
         expect(
             0 <= distance < math.inf,
             "fraction() is 0 or more",
@@ -95,6 +95,6 @@ class ConditionUsage(Usage):
             "return bool(...)",
         )
         if margins is not None:
-            check_numbers(margins, "margins()")
+            expect_numbers(margins, "margins()")
         label = part.label
         expect(bool(label) and isinstance(label, str), "label is a word", f"{label!r}", "return a string")

@@ -7,7 +7,7 @@ from itertools import cycle, islice
 from typing import Any
 
 from tutorstudent.checks.outcome import expect
-from tutorstudent.checks.roles.sound import check_number
+from tutorstudent.checks.roles.sound import expect_number
 from tutorstudent.checks.standins import make_engine, play
 from tutorstudent.checks.subject import FEWEST, SEED
 from tutorstudent.checks.usage import Question, Usage
@@ -46,7 +46,7 @@ class WorldUsage(Usage):
                 f"the event {name!r}",
                 "declare it in event_names, with how a run summarizes it",
             )
-            check_number(value, f"the event '{name}'")
+            expect_number(value, f"the event '{name}'")
 
 
 class ObserverUsage(Usage):
@@ -67,4 +67,4 @@ class ObserverUsage(Usage):
         expect(isinstance(answer, Mapping), "summary() returns a mapping", f"{answer!r}", "return {name: number}")
         for name, value in answer.items():
             expect(isinstance(name, str), "the names of summary() are words", f"{name!r}", "use strings")
-            check_number(value, f"'{name}' of summary()")
+            expect_number(value, f"'{name}' of summary()")

@@ -16,7 +16,7 @@ from tutorstudent.core.words.errors import list_names
 from tutorstudent.core.words.proposals import KindProposal, require_number
 
 
-def check_action(action: Any, cls: type[Action], what: str) -> None:
+def expect_action(action: Any, cls: type[Action], what: str) -> None:
     """Check that an action is of the class and within its bounds."""
     expect(
         type(action) is cls,
@@ -34,7 +34,7 @@ def check_action(action: Any, cls: type[Action], what: str) -> None:
         ) from None
 
 
-def check_graded(graded: Any, shown: Action, what: str) -> None:
+def expect_graded(graded: Any, shown: Action, what: str) -> None:
     """Check that a graded action is about the action that was shown, with a level and a bit."""
     try:
         received(graded, shown)
@@ -46,7 +46,7 @@ def check_graded(graded: Any, shown: Action, what: str) -> None:
         ) from None
 
 
-def check_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -> None:
+def expect_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -> None:
     """Check that a proposal is of the declared type, validated, and names a kind of the action class or none."""
     expect(
         type(proposal) is declared,
@@ -72,7 +72,7 @@ def check_proposal(proposal: Any, declared: Any, cls: type[Action], what: str) -
         )
 
 
-def check_vector(vector: Any, width: int, what: str) -> None:
+def expect_vector(vector: Any, width: int, what: str) -> None:
     """Check that a vector has the declared width and holds finite floats."""
     shape = getattr(vector, "shape", None)
     expect(
@@ -89,7 +89,7 @@ def check_vector(vector: Any, width: int, what: str) -> None:
     )
 
 
-def check_number(value: Any, what: str) -> float:
+def expect_number(value: Any, what: str) -> float:
     """Check that something is a finite number, and return it."""
     try:
         number = require_number(value)
@@ -99,9 +99,9 @@ def check_number(value: Any, what: str) -> float:
     return number
 
 
-def check_numbers(values: Any, what: str) -> None:
+def expect_numbers(values: Any, what: str) -> None:
     """Check that something is a sequence of finite numbers."""
     listed = isinstance(values, Sequence | np.ndarray) and not isinstance(values, str)
     expect(listed, f"{what} are a sequence of numbers", f"{values!r}", "return a list of floats")
     for value in values:
-        check_number(value, f"each of {what}")
+        expect_number(value, f"each of {what}")
