@@ -30,7 +30,7 @@ def commands() -> Iterator[str]:
     """Yield the page of the command line."""
     yield "# Command line"
     yield ""
-    yield "Every command has `--help`. A mistake of the user's is a sentence on standard error and exit code 2."
+    yield "Every command has `--help`. An error is one sentence on standard error, with exit code 2."
     yield from _command(typer.main.get_command(app), "tutorstudent")
 
 

@@ -1,8 +1,9 @@
-"""The page of free choices says what the frozen setting and the parts' defaults really are."""
+"""The page of free choices says what the frozen setting and the defaults really are; so does the reproduction."""
 
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,12 @@ from tutorstudent_prototype2.calibration.predictive import load_predictions
 from tutorstudent_prototype2.calibration.walks import load_looks
 from tutorstudent_prototype2.pipelines import read_frozen_setting
 
-PAGE = (Path(__file__).parents[1] / "docs" / "fidelity.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[1] / "docs"
+sys.path.append(str(DOCS))
+
+import blocks  # noqa: E402 - stands beside the pages
+
+PAGE = (DOCS / "fidelity.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| `([\w.]+)`(?:, `(\w+)`)? \| ([^|]+) \| ([^|]+) \|", flags=re.MULTILINE)
 
 
@@ -82,3 +88,8 @@ def test_every_default_beside_it_is_the_parts_own() -> None:
     defaults = named(flat(world, "world")) | flat(Prototype2.Options().model_dump(), "tutor")
     page = {name: values[1] for name, values in printed().items()}
     assert {name: f"{defaults[name]:g}" if defaults[name] else "as drawn" for name in page} == page
+
+
+def test_what_the_reproduction_prints_of_the_calibration_is_what_is_stored() -> None:
+    page = (DOCS / "reproduction.md").read_text(encoding="utf-8")
+    assert blocks.renewed("reproduction.md") == page, "run python docs/blocks.py"

@@ -54,6 +54,17 @@ def test_the_pipeline_is_the_shipped_one() -> None:
     assert shipped == parse_yaml(blocks("yaml")[0], "readme").data
 
 
+def test_the_page_is_short() -> None:
+    assert len(README.splitlines()) <= 120
+
+
+def test_every_mean_of_the_table_is_one_of_the_reproduction() -> None:
+    reproduction = (Path(__file__).parents[1] / "docs" / "reproduction.md").read_text(encoding="utf-8")
+    means = re.findall(r"[\d.]+ ± [\d.]+", README)
+    assert len(means) >= 16
+    assert [] == [mean for mean in means if f"| {mean} |" not in reproduction]
+
+
 def test_the_first_screen_comes_before_the_thesis_words() -> None:
     first = README[: README.index("## Three promises")]
     assert not re.search(r"\b(tutor|student|ampbit|prototype)\b", first.replace("tutorstudent", ""))

@@ -25,8 +25,10 @@ from tutorstudent.core.words.errors import (
     TutorStudentError,
     UnknownPlugin,
 )
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
-from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome, Turn
+from tutorstudent.core.words.records import Decision, GradedAction, Incident, Lesson, Moment, Outcome
+from tutorstudent.core.words.turn import Turn
 from tutorstudent.wrapping import wrap
 
 __version__ = "0.1.0"
@@ -58,6 +60,7 @@ __all__ = [
     "LevelProposal",
     "Limits",
     "Loop",
+    "Measure",
     "Moment",
     "Observer",
     "Options",

@@ -289,6 +289,15 @@ class Vague(copied(Counter)):
         return {"count": "many"}
 
 
+@breaks(UNSOUND, "the number 'steps'")
+class Unannounced(copied(Counter)):
+    """Measures what it never declared."""
+
+    def observe(self, turn: Any, step: Any) -> Any:
+        super().observe(turn, step)
+        return {"steps": 1.0}
+
+
 @breaks("changes_nothing_it_is_handed", "it changed what it was handed in question 1")
 class Scribbler(copied(Degrees)):
     """Writes into the state."""

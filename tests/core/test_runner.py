@@ -12,10 +12,11 @@ from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.world import Step
-from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally, WorldEvents
+from tutorstudent.core.running.meter import WorldEvents
+from tutorstudent.core.running.observers import Begin, Entries, Observer, Tally
 from tutorstudent.core.running.runner import check_world, make_trial_seed, run
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 REGISTRY = toy_registry()
 
@@ -116,9 +117,12 @@ def test_entries_count_each_time_a_situation_begins() -> None:
     spins.begin(Begin(None, None, 0))  # type: ignore[arg-type]
     _, seen = ran(1)
     turn, _ = seen[0]
+    counts = []
     for situation, done in [("spin", 0), ("spin", 0), ("", 0), ("spin", 1), ("spin", 0)]:
         moment = turn.decision.moment._replace(situation=situation)
-        spins.observe(turn._replace(decision=turn.decision._replace(moment=moment)), Step(0.0, {}, bool(done)))
+        seen_now = Turn(turn.decision._replace(moment=moment))
+        counts.append(spins.observe(seen_now, Step(0.0, {}, bool(done)))["spins"])
+    assert [1, 0, 0, 1, 1] == counts
     assert {"spins": 3.0} == dict(spins.summary())
 
 

@@ -94,6 +94,40 @@ class Shuttle(ts.Tutor[Place, DriveAction]):
         return "Returning" if self._back else "Leaving"
 
 
+class Tollway(Corridor):
+    """A corridor with events of its own: one that says all about itself, and one that says how it is summed."""
+
+    name = "tollway"
+    event_names = {
+        **Corridor.event_names,
+        "toll": ts.Measure("toll", "toll paid", unit="EUR", better="less", description="one for every metre begun"),
+        "echoes": "sum",
+    }
+
+    def step(self, action: DriveAction) -> ts.Step[Place]:
+        before = int(self._place.x_m)
+        step = super().step(action)
+        paid = abs(int(step.state.x_m) - before)
+        return step._replace(events={**step.events, "toll": float(paid), "echoes": step.events["contacts"]})
+
+
+class Effort(ts.Observer):
+    """What driving takes."""
+
+    name = "effort"
+    measures = (
+        ts.Measure("effort_j", "effort", unit="J", better="less", description="work of the motor"),
+        ts.Measure("pull_n", "pull", unit="N", summed="max", detail=True),
+    )
+
+    def observe(self, turn: Any, step: Any) -> dict[str, float]:
+        pull_n = abs(turn.decision.executed.translation)
+        return {"effort_j": 0.1 * pull_n, "pull_n": pull_n} if pull_n else {}
+
+    def summary(self) -> dict[str, float]:
+        return {"horses": 2.0}
+
+
 class Turns(Entries):
     """How often it turned back."""
 
@@ -107,6 +141,12 @@ def at_wall(state: Place) -> bool:
     return state.bumped
 
 
+@ts.condition("far-out")
+def far_out(state: Place) -> bool:
+    """Beyond 2.5 m."""
+    return state.x_m > 2.5
+
+
 @ts.encoder("metre", width=4)
 def metre(moment: Any) -> list[float]:
     """One bit for each metre."""
@@ -115,4 +155,4 @@ def metre(moment: Any) -> list[float]:
 
 @ts.hookimpl
 def tutorstudent_components() -> list[type[ts.Component]]:
-    return [Corridor, Shuttle, Turns, at_wall, metre]
+    return [Corridor, Tollway, Shuttle, Turns, Effort, at_wall, far_out, metre]

@@ -5,15 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from tutorstudent.core.running.observers import TALLIED
+from tutorstudent.core.words.measures import Measure, as_measure
+from tutorstudent.sims.pioneer.events import EVENTS
 from tutorstudent.study.plans.plan import Environment, Plan, Variant
 from tutorstudent.study.runs.results import Failure, Run, Study
 
 COUNTERS = {"attractors": "Prey Spin"}
+MEASURES = (*(as_measure(name, how) for name, how in EVENTS.items()), *TALLIED)
 Numbers = Mapping[str, Mapping[str, Sequence[float | None]]]
 
 
 def made(
-    numbers: Numbers, reference: str = "alone", controls: Sequence[str] = ("ramp",), failures: Sequence[Failure] = ()
+    numbers: Numbers,
+    reference: str = "alone",
+    controls: Sequence[str] = ("ramp",),
+    failures: Sequence[Failure] = (),
+    measures: Sequence[Measure] = MEASURES,
 ) -> Study:
     """Return a study of one environment.
 
@@ -22,10 +30,11 @@ def made(
         reference: The tutor alone.
         controls: Names of the variants that are controls.
         failures: Runs that failed.
+        measures: What the parts of every run declared.
     """
     variants = tuple(Variant(name, "", name in controls, {}, COUNTERS) for name in numbers)
     runs = [
-        Run("cave", name, seed, _summary(columns, seed), Path("nowhere"))
+        Run("cave", name, seed, _summary(columns, seed), Path("nowhere"), tuple(measures))
         for name, columns in numbers.items()
         for seed in range(max(len(values) for values in columns.values()))
     ]

@@ -7,7 +7,15 @@ import itertools
 import numpy as np
 import pytest
 
-from tutorstudent.study.numbers.curves import average_bins, describe_point, make_edges, make_middles
+import tutorstudent as ts
+from tutorstudent.study.numbers.curves import (
+    average_bins,
+    describe_point,
+    make_edges,
+    make_learning_curve,
+    make_middles,
+    name_curve,
+)
 
 
 @pytest.mark.parametrize(
@@ -54,3 +62,29 @@ def test_rates_times_widths_add_up_to_the_total() -> None:
 )
 def test_the_width_of_a_bin_is_said(decisions: int, words: str) -> None:
     assert words == describe_point(decisions)
+
+
+@pytest.mark.parametrize(
+    ("summed", "unit", "expected"),
+    [
+        ("sum", "", [500.0, 0.0, 4000.0]),
+        ("max", "", [1.0, np.nan, 5.0]),
+        ("mean", "", [1.0, np.nan, 4.0]),
+        ("last", "", [1.0, np.nan, 4.0]),
+        ("mean", "%", [100.0, np.nan, 400.0]),
+    ],
+)
+def test_a_learning_curve_is_of_the_decisions_that_have_a_number(
+    monkeypatch: pytest.MonkeyPatch, summed: str, unit: str, expected: list[float]
+) -> None:
+    monkeypatch.setattr("tutorstudent.study.numbers.curves.TENTHS", 3)
+    measure = ts.Measure("x", unit=unit, summed=summed)  # type: ignore[arg-type]
+    values = np.array([1.0, np.nan, np.nan, np.nan, 3.0, 5.0])
+    np.testing.assert_array_equal(expected, make_learning_curve(values, measure))
+
+
+def test_a_curve_says_what_its_points_are() -> None:
+    harm = ts.Measure("collided", "collided decisions")
+    assert "collided decisions per 1,000" == name_curve(harm)
+    assert "effort, J per 1,000 decisions" == name_curve(ts.Measure("effort", unit="J"))
+    assert "hardest, N" == name_curve(ts.Measure("hardest", unit="N", summed="max"))

@@ -56,10 +56,11 @@ def test_a_tutor_alone_that_is_a_control_is_held_against_once(study: Study) -> N
     assert 3 == len(pair_with_tutor(as_control))
 
 
-def test_there_are_four_families(study: Study) -> None:
+def test_there_are_families_of_what_was_found_what_it_cost_and_the_rest(study: Study) -> None:
     assert [
         "Differences to the tutor alone: what was found",
         "Differences to the tutor alone: what it cost",
+        "Differences to the tutor alone: what else was measured",
         "Differences to the controls: what was found",
         "Differences to the controls: what it cost",
     ] == [item.title for item in make_families(study)]
@@ -67,12 +68,12 @@ def test_there_are_four_families(study: Study) -> None:
 
 def test_a_comparison_is_of_counts_and_of_rates_by_way(study: Study) -> None:
     found = family(study, "Differences to the tutor alone: what was found").comparisons
-    counted = next(item for item in found if (item.variant.name, item.measure.title) == ("2A", "attractors"))
+    counted = next(item for item in found if (item.variant.name, item.quantity.title) == ("2A", "attractors"))
     # 12, 20, 13, 13
     assert (4, 14.5) == counted.difference[:2]
     assert 1.0 == counted.improvement.share
     assert 2 / 16 == counted.p
-    by_way = next(item for item in found if (item.variant.name, item.measure.title) == ("2A", "attractors per 100 m"))
+    by_way = next(item for item in found if (item.variant.name, item.quantity.title) == ("2A", "attractors per 100 m"))
     # 5, 7.5, 6.25, 5.5 against 8, 10, 12, 9: it finds more because it drives farther.
     assert -3.6875 == by_way.difference.mean
     assert 0.0 == by_way.improvement.share
@@ -80,7 +81,7 @@ def test_a_comparison_is_of_counts_and_of_rates_by_way(study: Study) -> None:
 
 def test_less_harm_is_better(study: Study) -> None:
     found = family(study, "Differences to the controls: what it cost").comparisons
-    item = next(item for item in found if (item.against, item.measure.title) == ("ramp", "collided decisions"))
+    item = next(item for item in found if (item.against, item.quantity.title) == ("ramp", "collided decisions"))
     # 4, 0, 5, 2 against 1: worse, better, worse, worse
     assert 1.75 == item.difference.mean
     assert 0.25 == item.improvement.share
@@ -118,7 +119,7 @@ def test_without_a_tutor_alone_and_without_controls_nothing_is_compared(study: S
 def test_a_world_without_way_is_compared_by_counts_only(study: Study) -> None:
     for run in study.runs:
         del run.summary["distance_m"]
-    measures = {item.measure.title for found in make_families(study) for item in found.comparisons}
+    measures = {item.quantity.title for found in make_families(study) for item in found.comparisons}
     assert {"attractors", "collided decisions"} == measures
 
 

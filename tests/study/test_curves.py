@@ -11,10 +11,10 @@ from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.rundir import run_pipeline
 from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.study.numbers.curves import (
+    count_by_decision,
     find_entries,
     find_harm,
     find_matches,
-    read_count,
     read_event,
     read_level,
     read_points,
@@ -69,13 +69,13 @@ def test_what_the_world_counts_adds_up_as_what_observers_do() -> None:
         situation_names=["", "Prey Spin"],
         trial_ended=[0, 0, 0],
     )
-    prey, entries = read_count(arrays, "prey", ""), read_count(arrays, "attractors", "Prey Spin")
+    prey, entries = count_by_decision(arrays, "prey", ""), count_by_decision(arrays, "attractors", "Prey Spin")
     assert prey is not None
     assert entries is not None
     assert [0.0, 2.0, 3.0] == sum_up(prey).tolist()
     assert [0.0, 1.0, 1.0] == sum_up(entries).tolist()
-    assert read_count(arrays, "reward", "") is None  # its total would fall
-    assert read_count(arrays, "falls", "") is None
+    assert count_by_decision(arrays, "reward", "") is None  # its total would fall
+    assert count_by_decision(arrays, "falls", "") is None
 
 
 def test_harm_is_violations_where_the_world_knows_no_collisions() -> None:
@@ -96,7 +96,7 @@ def test_a_place_needs_both_coordinates() -> None:
 def test_a_student_that_names_no_kind_now_and_then_does_not_match_then() -> None:
     found = find_matches(recorded(kind=[0, 1, 2], proposed_kind=[0, -1, 1]))
     assert found is not None
-    assert [True, False, False] == found.tolist()
+    assert [1.0, 0.0, 0.0] == found.tolist()
 
 
 @pytest.mark.parametrize("length", [1, 2, 159, 160, 161, 10_000])

@@ -10,7 +10,7 @@ from PIL import Image, ImageColor, ImageSequence
 
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.traces import Measures, Traces
+from tutorstudent.study.numbers.traces import Counted, Traces
 from tutorstudent.study.pictures.film import DECISIONS, FRAME_MS, FRAMES, make_film
 from tutorstudent.study.pictures.galleries import make_film_gallery
 from tutorstudent.study.pictures.maps import list_level_colours
@@ -138,7 +138,7 @@ def environment(*names: str) -> Environment:
 
 def test_the_page_shows_the_first_run_of_the_first_learner_and_says_so() -> None:
     firsts = {name: drive(12) for name in ("alone", "ramp", "<2A>", "other")}
-    found = make_film_gallery(environment(*firsts), Traces(Measures({}, "collided"), {}, firsts), ROOM, 7)
+    found = make_film_gallery(environment(*firsts), Traces(Counted({}, "collided"), {}, firsts), ROOM, 7)
     assert found.note.startswith("&lt;2A&gt;, seed 7, the first run: decisions 1 to 12, 3 times as fast as it was.")
     [figure] = found.figures
     assert figure.count("data:image/gif;base64,") == figure.count("data:image/png;base64,") == 1
@@ -149,7 +149,7 @@ def test_the_page_shows_the_first_run_of_the_first_learner_and_says_so() -> None
 @pytest.mark.parametrize("names", [("alone",), ("alone", "ramp"), ("alone", "gone")])
 def test_without_a_learner_or_its_first_run_there_is_no_film(names: tuple[str, ...]) -> None:
     firsts = {name: drive(3) for name in names if name != "gone"}
-    found = make_film_gallery(environment(*names), Traces(Measures({}, "collided"), {}, firsts), ROOM, 7)
+    found = make_film_gallery(environment(*names), Traces(Counted({}, "collided"), {}, firsts), ROOM, 7)
     assert [] == found.figures
 
 

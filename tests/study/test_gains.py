@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tutorstudent.study.numbers.gains import Gains, Outcome, Row, find_gains
-from tutorstudent.study.numbers.traces import Measures, Trace, Traces
+from tutorstudent.study.numbers.traces import Counted, Trace, Traces
 from tutorstudent.study.pictures.labels import Box, place_labels
 from tutorstudent.study.pictures.palette import Palette
 from tutorstudent.study.pictures.scatter import DISC, RING, draw_scatter
@@ -25,7 +25,7 @@ def trace(seed: int, found: float | None, harmed: float, decisions: int = 5_000)
 
 
 def traces(**rows: list[Trace]) -> Traces:
-    return Traces(Measures({}, "collided", "prey"), rows, {})
+    return Traces(Counted({}, "collided", "prey"), rows, {})
 
 
 PLACE = Environment("cave", (), "alone")

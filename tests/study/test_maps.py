@@ -10,7 +10,7 @@ import pytest
 
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.traces import Measures, Trace, Traces
+from tutorstudent.study.numbers.traces import Counted, Trace, Traces
 from tutorstudent.study.pictures.galleries import make_harm_gallery, make_way_gallery
 from tutorstudent.study.pictures.harms import draw_harm_map, find_harms
 from tutorstudent.study.pictures.maps import draw_way_map, split_way
@@ -81,7 +81,7 @@ def test_every_variant_has_a_map_of_harm_and_no_control_a_map_of_its_way() -> No
     variants = (Variant("b", "", True, {}, {}), Variant("a", "", False, {}, {}), Variant(NASTY, "", False, {}, {}))
     environment = Environment("room", variants, NASTY)
     names = [variant.name for variant in variants]
-    found = Traces(Measures({}, "collided"), {n: [trace(2, 1)] for n in names}, {n: drive() for n in names})
+    found = Traces(Counted({}, "collided"), {n: [trace(2, 1)] for n in names}, {n: drive() for n in names})
     harmed = make_harm_gallery(found, SKETCH, PALETTE)
     assert ["b", "a", NASTY] == [_named(figure) for figure in harmed.figures]
     assert "Every collided decision of all runs is a dot" in harmed.note
@@ -92,7 +92,7 @@ def test_every_variant_has_a_map_of_harm_and_no_control_a_map_of_its_way() -> No
 
 
 def test_where_the_world_knows_no_collisions_violations_are_shown() -> None:
-    found = Traces(Measures({}, "violated"), {"a": [trace(2, None)]}, {})
+    found = Traces(Counted({}, "violated"), {"a": [trace(2, None)]}, {})
     shown = make_harm_gallery(found, SKETCH, PALETTE)
     assert "Where conditions were violated" == shown.title
     assert "ring" not in shown.note

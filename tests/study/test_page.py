@@ -12,8 +12,9 @@ import pytest
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.world import Sketch
+from tutorstudent.study.page import sections
+from tutorstudent.study.page.document import make_page
 from tutorstudent.study.page.head import make_head
-from tutorstudent.study.page.page import make_page
 from tutorstudent.study.page.report import write_report
 from tutorstudent.study.pictures.maps import _make_way, draw_way_map, list_level_colours
 from tutorstudent.study.pictures.palette import Palette
@@ -135,7 +136,7 @@ def test_every_run_is_a_row_and_a_dot(study: Study, text: str) -> None:
 def test_every_variant_has_a_panel_for_each_measure(study: Study, outline: Outline) -> None:
     labels = [label for attributes in outline.all("svg") if (label := attributes.get("aria-label"))]
     totals = ("turns", "collided decisions")
-    for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "amplification level"):
+    for title in (*totals, "turns per 1,000 decisions", "collided decisions per 1,000", "mean level"):
         for variant in study.plan.variants():
             found = [label for label in labels if label.startswith(f"{title} over decisions, {variant.name}. ")]
             assert len(study.plan.environments) == len(found)
@@ -190,9 +191,22 @@ def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> No
     assert ">level 5</th>" in shown
 
 
+def test_a_section_is_a_function_in_a_list(first: Study, monkeypatch: pytest.MonkeyPatch) -> None:
+    def seeds(place: sections.Place) -> str | None:
+        return f"<p>of {len(place.study.plan.seeds)} seeds in {place.environment.name}</p>"
+
+    monkeypatch.setattr(sections, "IN_AN_ENVIRONMENT", (seeds, lambda place: None))
+    monkeypatch.setattr(sections, "OF_THE_STUDY", (sections.environments, lambda study: "<p>the end</p>"))
+    shown = make_page(first)
+    assert "<p>of 3 seeds in short</p>" in section_of(shown, "short")
+    assert "<p>the end</p>\n</body>" in shown
+    assert "None" not in shown
+
+
 def test_every_drawing_has_a_text(outline: Outline) -> None:
     drawings = outline.all("svg")
-    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, 3 * 6, 2, 2, 6
+    # All have turns, collisions, contacts, violations, way and level; then time, raised, lessons and incidents.
+    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (6 + 4) * 6, 2, 2, 6
     assert 2 * (gains + strips + totals + rates + matches + ways + harms) == len(drawings)
     assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
 

@@ -89,3 +89,21 @@ def test_a_variant_without_runs_has_no_panel() -> None:
 
 def test_a_chart_without_curves_is_well_formed() -> None:
     ET.fromstring(Chart(make_decision_axis(10.0), make_value_axis([])).make_svg("x", "red", "nothing"))
+
+
+def test_what_is_less_than_nothing_and_what_is_missing_has_its_place_or_none() -> None:
+    up = make_value_axis([2.0], -6.0)
+    assert "" == up.label
+    assert (0.0, 1.0) == tuple(up.share(np.array([-6.0, up.limit])))
+    assert min(tick for tick, _ in up.ticks) == -6
+    nan = float("nan")
+    [drawn] = draw_panels(bundle(a=[[-6, nan, 2], [nan, nan, 0]]), PALETTE)
+    assert [2, 1] == [len(points(path)) for path in paths(drawn, "run")]
+    assert 2 == len(points(paths(drawn, "mean")[0]))
+    assert "nan" not in drawn.partition(">")[2]
+    assert [] == paths(draw_panels(bundle(a=[[nan, nan, nan]]), PALETTE)[0], "run")
+
+
+def test_small_numbers_that_are_no_counts_fill_their_scale() -> None:
+    assert 1.0 < make_value_axis([0.02]).limit
+    assert 0.03 > make_value_axis([0.02], least=1e-9).limit

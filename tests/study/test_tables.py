@@ -52,19 +52,21 @@ def test_the_tables_of_a_whole_study() -> None:
     assert [
         "What was found",
         "What it cost",
-        "By way and by time",
         "What the parts did",
+        "By way and by time",
         "Does it harm more than the tutor alone?",
         "Differences to the tutor alone: what was found",
         "Differences to the tutor alone: what it cost",
+        "Differences to the tutor alone: what else was measured",
         "Differences to the controls: what was found",
         "Differences to the controls: what it cost",
+        "Differences to the controls: what else was measured",
     ] == [table.title for table in make_tables(study(), study().plan.environments[0])]
 
 
 def test_what_was_found_is_mean_sd_median_and_iqm_with_the_paired_difference() -> None:
     found = titled(study(), "What was found")
-    assert ("runs", "attractors", "difference", "distance, m") == found.header
+    assert ("runs", "attractors", "difference") == found.header
     assert "10.0 ± 2.0 (10; IQM 10.0)" == cell(found, "alone", "attractors")
     assert "25.0 ± 5.0 (25; IQM 25.0)" == cell(found, "2A", "attractors")  # sd of 20, 30, 25 is 5
     assert "-" == cell(found, "alone", "difference")
@@ -72,7 +74,7 @@ def test_what_was_found_is_mean_sd_median_and_iqm_with_the_paired_difference() -
     mean, low, high = map(float, re.findall(r"[-+]?\d+\.\d", cell(found, "2A", "difference")))
     assert 15.0 == mean
     assert 12.0 <= low < 15.0 < high <= 20.0
-    assert "100 ± 20.0 (100)" == cell(found, "alone", "distance, m")
+    assert "100 ± 20.0 (100)" == cell(titled(study(), "What the parts did"), "alone", "distance, m")
 
 
 def test_what_it_cost_tells_the_worst_run_beside_the_mean() -> None:
@@ -95,7 +97,7 @@ def test_rates_are_taken_run_by_run() -> None:
     assert "41.3 ± 69.9" == cell(rates, "2A", "collided decisions per 100 m")
     assert {
         f"{what} per {unit}"
-        for what in ("attractors", "collided decisions", "contacts", "violated")
+        for what in ("attractors", "collided decisions", "contacts", "violated decisions")
         for unit in ("100 m", "1,000 s")
     } == set(rates.header[1:])
 
@@ -114,12 +116,12 @@ def test_what_the_parts_did() -> None:
     for run in whole.runs[3:6]:
         run.summary["match_rate"] = 0.5
     parts = titled(whole, "What the parts did")
-    assert "50 %" == cell(parts, "2A", "named the tutor's kind (mean)")
-    assert "-" == cell(parts, "ramp", "named the tutor's kind (mean)")
-    assert "25 %" == cell(parts, "2A", "raised by the amplifier (mean)")
-    assert "3.0" == cell(parts, "2A", "mean level")
-    assert "3" == cell(parts, "2A", "incidents (sum)")
-    assert "21.0" == cell(parts, "2A", "simulated time, s (mean)")
+    assert "50.0 ± 0 (50)" == cell(parts, "2A", "named the tutor's kind, %")
+    assert "-" == cell(parts, "ramp", "named the tutor's kind, %")
+    assert "25.0 ± 25.0 (25)" == cell(parts, "2A", "raised by the amplifier, %")
+    assert "3.0 ± 0 (3)" == cell(parts, "2A", "mean level")
+    assert "1.0 ± 1.0 (1)" == cell(parts, "2A", "incidents")
+    assert "21.0 ± 1.0 (21)" == cell(parts, "2A", "simulated time, s")
 
 
 def test_differences_to_the_tutor_alone() -> None:
@@ -205,14 +207,14 @@ def test_a_number_that_the_world_counts_is_a_count_like_those_of_observers() -> 
     (environment,) = whole.plan.environments
     variants = tuple(item._replace(counters={"distance_m": ""} | item.counters) for item in environment.variants)
     asked = whole._replace(plan=whole.plan._replace(environments=(environment._replace(variants=variants),)))
-    assert ("runs", "distance_m", "difference", "attractors", "difference") == titled(asked, "What was found").header
-    assert "distance_m" == make_digest_table(asked, asked.plan.environments[0]).header[0]
+    assert ("runs", "distance, m", "difference", "attractors", "difference") == titled(asked, "What was found").header
+    assert "distance, m" == make_digest_table(asked, asked.plan.environments[0]).header[0]
     compared = titled(asked, "Differences to the tutor alone: what was found")
-    assert ["distance_m", "distance_m", "attractors", "attractors", *["attractors per 100 m"] * 2] == sorted(
-        (row.cells[1] for row in compared.rows), key=["distance_m", "attractors", "attractors per 100 m"].index
+    assert ["distance, m", "distance, m", "attractors", "attractors", *["attractors per 100 m"] * 2] == sorted(
+        (row.cells[1] for row in compared.rows), key=["distance, m", "attractors", "attractors per 100 m"].index
     )
-    assert "distance_m per 100 m" not in titled(asked, "By way and by time").header
-    assert "distance_m per 1,000 s" in titled(asked, "By way and by time").header
+    assert "distance, m per 100 m" not in titled(asked, "By way and by time").header
+    assert "distance, m per 1,000 s" in titled(asked, "By way and by time").header
 
 
 def test_a_variant_of_which_nothing_ran_is_a_row_of_dashes() -> None:
@@ -220,7 +222,7 @@ def test_a_variant_of_which_nothing_ran_is_a_row_of_dashes() -> None:
     failed = study()._replace(failures=failures)
     failed = failed._replace(runs=tuple(run for run in failed.runs if run.variant != "2A"))
     found = titled(failed, "What was found")
-    assert ("0 (3 failed)", "-", "-", "-") == next(row.cells for row in found.rows if row.name == "2A")
+    assert ("0 (3 failed)", "-", "-") == next(row.cells for row in found.rows if row.name == "2A")
 
 
 def test_a_number_that_some_runs_do_not_have_is_said_to_be_of_the_others() -> None:
@@ -238,8 +240,10 @@ def test_what_no_run_knows_is_no_column() -> None:
         del run.summary["collided"], run.summary["contacts"], run.summary["distance_m"]
     cost = titled(whole, "What it cost")
     assert "collided decisions" not in cost.header
-    assert "violated, as the learner saw it" in cost.header
-    assert ("attractors per 1,000 s", "violated per 1,000 s") == titled(whole, "By way and by time").header[1:]
+    assert "violated decisions" in cost.header
+    assert ("attractors per 1,000 s", "violated decisions per 1,000 s") == titled(whole, "By way and by time").header[
+        1:
+    ]
     assert "violated decisions per 10,000" in titled(whole, "Does it harm more than the tutor alone?").header
 
 
@@ -267,11 +271,30 @@ def test_every_run_is_a_row() -> None:
 
 def test_the_digest_fits_a_terminal() -> None:
     digest = make_digest_table(study(), study().plan.environments[0])
-    assert ("attractors", "collided", "contacts", "way, m", "stall", "level") == digest.header
-    console = Console(width=80)
+    assert (
+        "attractors",
+        "collided decisions",
+        "contacts",
+        "violated decisions",
+        "distance, m",
+        "mean level",
+    ) == digest.header
+    assert [["alone", "2A", "ramp"]] == printed(digest, 80)
+    assert [["alone", "2A", "ramp"]] * 3 == printed(digest, 40)
+
+
+def printed(table: Table, width: int) -> list[list[str]]:
+    """Return the rows of each part of a table in a terminal, none of whose lines is too long or broken."""
+    console = Console(width=width)
     with console.capture() as capture:
-        console.print(make_terminal_table(digest))
-    assert 3 + 2 == len(capture.get().splitlines())
+        console.print(make_terminal_table(table, width))
+    text = capture.get()
+    assert max(map(len, text.splitlines())) <= width
+    for row in table.rows:
+        assert all(cell in text for cell in row.cells)
+    first = [line.split()[0] for line in text.splitlines() if line.split()[0] in {row.name for row in table.rows}]
+    size = len(table.rows)
+    return [first[i : i + size] for i in range(0, len(first), size)]
 
 
 @pytest.mark.parametrize(

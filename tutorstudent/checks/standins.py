@@ -8,9 +8,11 @@ from typing import Any
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Change, Condition
-from tutorstudent.core.roles.world import Step, Summary, World
+from tutorstudent.core.roles.world import Step, World
+from tutorstudent.core.words.measures import Summary
 from tutorstudent.core.words.proposals import LevelProposal
-from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome, Turn
+from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome
+from tutorstudent.core.words.turn import Turn
 
 
 class Repeater(Tutor[float, Any]):

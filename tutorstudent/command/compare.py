@@ -22,12 +22,6 @@ from tutorstudent.study.studies import check_folder, run_study
 from tutorstudent.study.tables.media import make_terminal_table
 from tutorstudent.study.tables.tables import make_digest_table
 
-LEGEND = (
-    "collided: decisions in which the robot's own motion was refused. contacts: how often that began. way: distance "
-    "travelled. stall: longest run of collided decisions. level: mean amplification level."
-)
-
-
 INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it."""
 
@@ -114,12 +108,14 @@ def show(study: Study) -> None:
     from tutorstudent.study.page.report import MARKDOWN, PAGE  # matplotlib is an extra
 
     console, out = Console(), study.folder
-    for environment in study.plan.environments:
-        console.rule(environment.name, align="left")
-        console.print(make_terminal_table(make_digest_table(study, environment)), "\n")
+    digests = {environment.name: make_digest_table(study, environment) for environment in study.plan.environments}
+    for name, table in digests.items():
+        console.rule(name, align="left")
+        console.print(make_terminal_table(table, console.width), "\n")
     for text in filter(None, [describe_goal(study), *make_remarks(study)]):
         console.print(text, markup=False, highlight=False, soft_wrap=True)
-    console.print(LEGEND, highlight=False)
+    for legend in dict.fromkeys(table.note for table in digests.values()):
+        console.print(legend, markup=False, highlight=False)
     console.print(f"{len(study.runs)} runs, {len(study.failures)} failed. Controls are in italics.", highlight=False)
     console.print(
         f"All tables, with paired differences and intervals: {out / MARKDOWN}", highlight=False, soft_wrap=True

@@ -10,7 +10,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import Begin, Observer
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 EVERY = 100
 

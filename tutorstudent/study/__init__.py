@@ -8,14 +8,15 @@
 | the constant level that is best | `seeking`, `levels`, `searching` |
 | every run, in parallel, each into a folder of its own | `jobs`, `backends`, `durable`, `timing`, `progress` |
 | what is on disk | `results`, `sketches` |
-| numbers of one row, and of two | `measures`, `statistics`; `pairs`, `intervals`, `significance` |
+| what parts declared, and numbers of it | `declared`, `quantities` |
+| numbers of one row, and of two | `statistics`; `pairs`, `intervals`, `significance` |
 | what is held against what | `comparisons`, `verdicts` |
 | what has to be said first | `remarks` |
 | tables | `cells`, `columns`, `table`, `tables`, `difference_tables` |
 | what pictures are made from | `curves`, `bins`, `traces`, `gains`, `palette`, `scales` |
 | pictures | `svg`, `charts`, `panels`, `strips`, `scatter`, `labels`, `maps`, `harms`; `screen`, `shots`, `film` |
 | pictures with their words | `galleries`, `learning`, `atlas`, `cinema`, `pictures` |
-| the page and the other files | `media`, `head`, `search_table`, `page`, `latex`, `tidy`, `report` |
+| the page and the other files | `sections`, `head`, `document`; `media`, `search_table`, `latex`, `report` |
 | all of it | `studies`, `options`, `command` |
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.

@@ -7,9 +7,7 @@ from typing import Any
 
 from tests.core.oracle.shapes import SHAPES, Shape
 from tutorstudent.core.deciding.engine import Engine
-from tutorstudent.core.deciding.grading import Graded
 from tutorstudent.core.deciding.limits import Limits
-from tutorstudent.core.deciding.rendering import Permitted
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.records import GradedAction
 
@@ -115,7 +113,7 @@ class Paranoid(Engine[Any, Any, Any]):
 
     def propagate(self, state: Any) -> Any:
         action = super().propagate(state)
-        self._guard.record(self.decisions - 1, "student", ValueError("I do not trust it"))
+        self._guard.record("student", ValueError("I do not trust it"))
         return action
 
 
@@ -126,9 +124,9 @@ class Stubborn(Engine[Any, Any, Any]):
         super().__init__(**parts)
         self._grader.fall_back = self._go_on  # type: ignore[method-assign]
 
-    def _go_on(self, original: Any, groups: Any) -> Graded[Any]:
-        graded = GradedAction(_with(original), 1, True)
-        return Graded(graded, graded, Permitted(1, (0.0,) * len(groups)), None)
+    def _go_on(self, turn: Any) -> None:
+        turn._selected = turn._resulting = GradedAction(_with(turn._original), 1, True)
+        turn._fractions, turn._limited_by = (0.0,) * len(turn._groups), ""
 
 
 class Nagging(Engine[Any, Any, Any]):
@@ -151,10 +149,10 @@ class Modest(Engine[Any, Any, Any]):
 
     def propagate(self, state: Any) -> Any:
         action = super().propagate(state)
-        pending = self._pending
-        if pending is not None and pending.decision.resulting.level > 0:
-            graded = pending.decision.resulting._replace(level=pending.decision.resulting.level - 1)
-            self._pending = pending._replace(decision=pending.decision._replace(resulting=graded))
+        decision = self._turn._decision
+        if decision.resulting.level > 0:
+            graded = decision.resulting._replace(level=decision.resulting.level - 1)
+            self._turn._decision = decision._replace(resulting=graded)
         return action
 
 
@@ -163,11 +161,8 @@ class Forger(Engine[Any, Any, Any]):
 
     def propagate(self, state: Any) -> Any:
         action = super().propagate(state)
-        if self._pending is not None:
-            forged = _with(action, **{next(iter(_shape(action).bounds)): 0.7071})
-            self._pending = self._pending._replace(
-                executed=forged, decision=self._pending.decision._replace(executed=forged)
-            )
+        turn, forged = self._turn, _with(action, **{next(iter(_shape(action).bounds)): 0.7071})
+        turn._action, turn._decision = forged, turn._decision._replace(executed=forged)
         return action
 
 
@@ -175,32 +170,38 @@ class Raising(Engine[Any, Any, Any]):
     """Teaches one level more than the evaluator's table says."""
 
     def evaluate(self, resulting_state: Any) -> Any:
-        honest = self._pending.decision.resulting if self._pending is not None else None
-        if self._pending is not None and honest is not None:
-            raised = self._pending.decision._replace(resulting=honest._replace(level=honest.level + 1))
-            self._pending = self._pending._replace(decision=raised)
-        turn = super().evaluate(resulting_state)
-        return turn and turn._replace(decision=turn.decision._replace(resulting=honest))
+        turn = self._turn
+        if turn is None:
+            return super().evaluate(resulting_state)
+        honest = turn._decision
+        turn._decision = honest._replace(resulting=honest.resulting._replace(level=honest.resulting.level + 1))
+        super().evaluate(resulting_state)
+        turn._decision = turn._decision._replace(resulting=honest.resulting)
+        return turn
 
 
 class Cheerful(Engine[Any, Any, Any]):
     """Overlooks violations."""
 
     def evaluate(self, resulting_state: Any) -> Any:
-        turn = super().evaluate(resulting_state)
-        return turn and turn._replace(outcome=turn.outcome._replace(violated=()))
+        turn: Any = super().evaluate(resulting_state)
+        if turn is not None:
+            turn._outcome = turn.outcome._replace(violated=())
+        return turn
 
 
 class Late(Engine[Any, Any, Any]):
     """Teaches the resulting state instead of the previous one."""
 
     def evaluate(self, resulting_state: Any) -> Any:
-        before = self._pending.decision.moment if self._pending is not None else None
-        if self._pending is not None and before is not None:
-            late = self._pending.decision._replace(moment=before._replace(state=resulting_state))
-            self._pending = self._pending._replace(decision=late)
-        turn = super().evaluate(resulting_state)
-        return turn and turn._replace(decision=turn.decision._replace(moment=before))
+        turn: Any = self._turn
+        if turn is None:
+            return super().evaluate(resulting_state)
+        before = turn._decision.moment
+        turn._decision = turn._decision._replace(moment=before._replace(state=resulting_state))
+        super().evaluate(resulting_state)
+        turn._decision = turn._decision._replace(moment=before)
+        return turn
 
 
 BROKEN: dict[str, tuple[type[Engine[Any, Any, Any]], str]] = {

@@ -60,11 +60,20 @@ class ObserverUsage(Usage):
         part.begin(Begin(engine, world, len(self.make_usual())))
 
     def ask(self, part: Any, question: Question) -> Any:
-        part.observe(*question)
-        return part.summary()
+        return part.observe(*question), part.summary()
 
     def judge(self, part: Any, question: Question, answer: Any) -> None:
-        expect(isinstance(answer, Mapping), "summary() returns a mapping", f"{answer!r}", "return {name: number}")
-        for name, value in answer.items():
+        values, summary = answer
+        known = [measure.name for measure in part.measures]
+        for name, value in (values or {}).items():
+            expect(
+                name in known,
+                f"observe() returns its measures: {list_names(known)}",
+                f"the number {name!r}",
+                f"declare it: measures = [ts.Measure({name!r})]",
+            )
+            expect_number(value, f"'{name}' of observe()")
+        expect(isinstance(summary, Mapping), "summary() returns a mapping", f"{summary!r}", "return {name: number}")
+        for name, value in summary.items():
             expect(isinstance(name, str), "the names of summary() are words", f"{name!r}", "use strings")
             expect_number(value, f"'{name}' of summary()")

@@ -10,7 +10,8 @@ import numpy as np
 from pydantic import ValidationError
 
 from tutorstudent.checks.outcome import CheckFailed, expect
-from tutorstudent.core.deciding.guard import Breach, received
+from tutorstudent.core.deciding.checking import check_graded
+from tutorstudent.core.deciding.guard import Breach
 from tutorstudent.core.words.actions import Action, rebuild
 from tutorstudent.core.words.errors import list_names
 from tutorstudent.core.words.proposals import KindProposal, require_number
@@ -37,7 +38,7 @@ def expect_action(action: Any, cls: type[Action], what: str) -> None:
 def expect_graded(graded: Any, shown: Action, what: str) -> None:
     """Check that a graded action is about the action that was shown, with a level and a bit."""
     try:
-        received(graded, shown)
+        check_graded(graded, shown)
     except (Breach, TypeError, ValueError) as error:
         raise CheckFailed(
             f"{what} returns a GradedAction of the action that it was given, with a level of 0 or more and a bit",

@@ -127,12 +127,12 @@ class Loop:
 
         At level 0 it is the controller's own object; also where no other could be made, which is an incident.
         """
-        command = self._written(self.engine.step(freeze(state)))
+        command = self._write(self.engine.step(freeze(state)))
         if len(self._counts) > len(self._told):
             self._tell()
         return command
 
-    def _written(self, action: Action) -> Any:
+    def _write(self, action: Action) -> Any:
         tutor = self._tutor
         if tutor is None:
             return action

@@ -12,23 +12,25 @@ from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from typing import Generic
 
-from tutorstudent.core.deciding.corrections import UNKNOWN, corrected
-from tutorstudent.core.deciding.grading import Graded, Grader
-from tutorstudent.core.deciding.guard import Guard, OnIncident, checked_replica, sealed
+from tutorstudent.core.deciding.checking import check_records, copy_checked, renew_records, seal
+from tutorstudent.core.deciding.correcting import Corrector
+from tutorstudent.core.deciding.grading import Grader
+from tutorstudent.core.deciding.guard import Guard, OnIncident
 from tutorstudent.core.deciding.judging import Judge
-from tutorstudent.core.deciding.limiting import LevelLimiter
+from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.limits import Limits
-from tutorstudent.core.deciding.teaching import Pending, Teacher
+from tutorstudent.core.deciding.teaching import Teacher
 from tutorstudent.core.deciding.tutoring import TutorSeat
 from tutorstudent.core.deciding.wiring import check_failure_action, check_vocabulary, check_wiring
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
-from tutorstudent.core.roles.part import Component, EnginePart, Learned
-from tutorstudent.core.words.actions import ActionT, Group, rebuild
+from tutorstudent.core.roles.part import Component, EnginePart, Learned, find_listeners
+from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import ProposalT, require_level
-from tutorstudent.core.words.records import Decision, Incident, Moment, StateT, Turn
+from tutorstudent.core.words.records import Decision, Incident, StateT
+from tutorstudent.core.words.turn import Turn
 
 
 class Engine(Generic[StateT, ActionT, ProposalT]):
@@ -75,14 +77,15 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             part.bind(Binding(seed, slot, tutor.action))
         check_wiring(student, selector)
         self._seat = TutorSeat(tutor, self._guard, on_tutor_failure)
-        self._levels = LevelLimiter(self.limits, amplifier)
-        self._grader = Grader(student, selector, amplifier, self._levels, self._guard)
+        self._limiter = Limiter(self.limits, amplifier)
+        self._grader = Grader(student, selector, amplifier, self._limiter, self._guard)
+        self._corrector = Corrector(self._limiter, self._guard)
         self._teacher = Teacher(evaluator, student, self._guard)
+        self._listeners = [(part, self._guard.blame(slot)) for slot, part in find_listeners(self.slots())]
         self.decisions = 0
         self.last: Turn[StateT, ActionT] | None = None
         """The newest decision whose outcome is known."""
-        self._pending: Pending | None = None
-        self._void = self._untold = ""
+        self._turn: Turn[StateT, ActionT] | None = None
 
     @property
     def incidents(self) -> deque[Incident]:
@@ -97,7 +100,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
     @property
     def pending(self) -> Decision[StateT, ActionT] | None:
         """The decision that waits for its outcome."""
-        return self._pending.decision if self._pending else None
+        return self._turn.decision if self._turn else None
 
     def slots(self) -> Iterator[tuple[str, Component]]:
         """Yield every part with its slot."""
@@ -111,26 +114,23 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         return self.propagate(state)
 
     def propagate(self, state: StateT) -> ActionT:
-        """Return the action to execute (Thesis 3.2.3 1-11) and remember the decision (a-e).
+        """Return the action to execute (Thesis 3.2.3, propagation) and remember the decision (a-e).
 
         A decision that was never judged is dropped.
         """
-        if self._pending is not None:
+        if self._turn is not None:
             self.drop()
-        self._guard.turn = []
-        original, shown, situation, failed = self._seat.ask(self.decisions, state)
-        groups = self.tutor.action.vocabulary.groups[original.kind]
-        moment = Moment(self.decisions, state, shown, situation)
-        if failed:
-            self._void = "the tutor failed"
-            self._levels.forget()
-            graded = self._grader.fall_back(original, groups)
+        turn: Turn[StateT, ActionT] = Turn.begin(self._guard.attend(self.decisions))
+        self._seat.ask(turn, self.decisions, state)  # the tutor says its action
+        if turn._void:
+            self._limiter.forget()
+            self._grader.fall_back(turn)
         else:
-            graded = self._grader.grade(moment, original, groups)
-        action, graded = self._grader.render(self.decisions, graded, original, groups)
-        self._remember(moment, graded, original, action, groups)
+            self._grader.grade(turn)  # student, selector and amplifier: proposal, selected and resulting action
+        self._grader.render(turn)  # the resulting action as the robot gets it
+        self._remember(turn)  # a-e
         self.decisions += 1
-        return action
+        return turn._action
 
     def evaluate(self, resulting_state: StateT) -> Turn[StateT, ActionT] | None:
         """Judge the pending decision by the state it led to, and teach (Thesis 3.2.3 A-C).
@@ -138,20 +138,17 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Returns:
             The whole turn, or None if no decision is pending.
         """
-        if self._pending is None:
+        turn, self._turn = self._turn, None
+        if turn is None:
             return None
-        pending, self._pending = self._pending, None
-        number = pending.decision.moment.number
         if self._seat.hears:
-            self._seat.tell(number, pending.decision.executed)
-        outcome = self._judge.judge(number, resulting_state)
-        incidents = len(self._guard.turn)
-        void = self._void or self._untold
-        lesson = None if void else self._teacher.teach(pending, outcome)
-        decision = pending.decision if len(self._guard.turn) == incidents else pending.renewed()
-        self.last = Turn(decision, outcome, lesson, tuple(self._guard.turn), void)
-        self._void = self._untold = ""
-        return self.last
+            self._seat.tell(turn)
+        outcome = self._judge.judge(resulting_state)  # A, B, and the conditions of C
+        turn._outcome, before = outcome, len(turn._incidents)
+        if not (turn._void or turn._untold):
+            self._teacher.teach(turn, outcome)  # C(a), C(b)
+        self._end(turn, before)
+        return turn
 
     def executed(self, action: ActionT) -> None:
         """Say what was really executed instead of the action that the engine returned.
@@ -162,13 +159,12 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Raises:
             ContractError: if no decision is pending or the action is not of the tutor's class.
         """
-        if self._pending is None:
-            raise ContractError("executed(): no decision is pending; call it after step() and before the next step().")
+        turn = self._get_pending("executed()")
         if type(action) is not self.tutor.action:
             raise ContractError(
                 f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
             )
-        self._correct(self._pending, checked_replica(action, "executed()"))
+        self._corrector.correct(turn, copy_checked(action, "executed()"))
 
     def refused(self, error: BaseException) -> None:
         """Say that the action could not be executed, and why: the tutor's own was executed instead.
@@ -176,40 +172,40 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Raises:
             ContractError: if no decision is pending, or where incidents are to be raised.
         """
-        if self._pending is None:
-            raise ContractError("refused(): no decision is pending; call it after step() and before the next step().")
-        self._correct(self._pending, self._pending.original)
-        self._guard.record(self._pending.decision.moment.number, "action", error)
+        turn = self._get_pending("refused()")
+        self._corrector.correct(turn, turn._original)
+        self._guard.record("action", error)
 
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
-        if self._pending is not None:
-            self._void = reason or "no reason given"
+        if self._turn is not None:
+            self._turn._void = reason or "no reason given"
 
     def drop(self) -> None:
         """Forget the pending decision without judging it (a trial that was cut off)."""
-        if self._pending is not None:
-            pending, self._pending = self._pending, None
-            self._judge.forget()
-            if self._seat.hears:
-                self._seat.tell(pending.decision.moment.number, pending.decision.executed)
-            self.last = Turn(pending.decision, None, None, tuple(self._guard.turn), self._void or "dropped")
-        self._void = self._untold = ""
+        turn, self._turn = self._turn, None
+        if turn is None:
+            return
+        self._judge.forget()
+        if self._seat.hears:
+            self._seat.tell(turn)
+        turn._void = turn._void or "dropped"
+        self._end(turn, len(turn._incidents))
 
     def reset(self) -> None:
         """Begin a trial. Decision count, learning phase and what was learned stay."""
         self.drop()
+        self._guard.attend(self.decisions)
         self._judge.forget()
-        self._levels.forget()
-        self._seat.reset(self.decisions)
-        for slot, part in self.slots():
-            if slot != "tutor" and isinstance(part, EnginePart):
-                self._guard.call(self.decisions, slot, part.reset)
+        self._limiter.forget()
+        self._seat.call(self.tutor.reset)
+        others = [(slot, part) for slot, part in self.slots() if slot != "tutor"]
+        self._guard.call_all((slot, part.reset) for slot, part in others if isinstance(part, EnginePart))
 
     def close(self) -> None:
-        """Let every part go."""
-        for slot, part in self.slots():
-            self._guard.call(self.decisions, slot, part.close)
+        """Let every part go, whatever some of them raise."""
+        self._guard.attend(self.decisions)
+        self._guard.call_all((slot, part.close) for slot, part in self.slots())
 
     def state_dict(self) -> Learned:
         """Return what was learned by all parts, and the decision count."""
@@ -227,25 +223,29 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             else:
                 raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
 
-    def _correct(self, pending: Pending, executed: ActionT) -> None:
-        self._untold = UNKNOWN  # should telling it raise
-        self._pending, permitted, self._untold = corrected(pending, executed, self._levels, self._guard)
-        self._levels.remember(pending.original.kind, permitted)
+    def _get_pending(self, what: str) -> Turn[StateT, ActionT]:
+        if self._turn is None:
+            raise ContractError(f"{what}: no decision is pending; call it after step() and before the next step().")
+        return self._turn
 
-    def _remember(
-        self,
-        moment: Moment[StateT, ActionT],
-        graded: Graded[ActionT],
-        original: ActionT,
-        action: ActionT,
-        groups: tuple[Group, ...],
-    ) -> None:
-        shown = graded.resulting.action
-        if shown is not moment.tutor_action:
-            moment = moment._replace(tutor_action=shown)
-        record = shown if action is original else rebuild(action)
-        decision = Decision(moment, graded.selected, graded.resulting, record, graded.proposal)
-        seal = sealed(shown)
-        seals = (seal, seal if record is shown else sealed(record))
-        self._pending = Pending(decision, original, action, groups, seals, decision)
-        self._levels.remember(original.kind, graded.permitted)
+    def _remember(self, turn: Turn[StateT, ActionT]) -> None:
+        shown = turn._moment.tutor_action
+        record = shown
+        if turn._action is not turn._original:
+            record = rebuild(turn._action)
+            turn._seals = turn._seals[0], seal(record)
+        turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
+        self._limiter.remember(shown.kind, turn._resulting.level, turn._fractions)
+        self._turn = turn
+
+    def _end(self, turn: Turn[StateT, ActionT], incidents: int) -> None:
+        """Show the turn to the parts that listen; what a part spoilt in its records is mended."""
+        if len(turn._incidents) > incidents:
+            renew_records(turn)
+        for part, blame in self._listeners:
+            with blame:
+                part.judged(turn)
+                check_records(turn)
+            if blame.failed:
+                renew_records(turn)
+        self.last = turn

@@ -1,25 +1,18 @@
-"""From the tutor's action to selected and resulting level (Thesis 3.2.3, steps 4 to 9)."""
+"""From the tutor's action to the resulting action (Thesis 3.2.3, propagation): student, selector, amplifier."""
 
 from __future__ import annotations
 
-from typing import Any, Generic, NamedTuple
+from typing import Any, Generic
 
-from tutorstudent.core.deciding.guard import Breach, Guard, check_intact, received, sealed
-from tutorstudent.core.deciding.limiting import LevelLimiter
-from tutorstudent.core.deciding.rendering import Permitted, render
+from tutorstudent.core.deciding.checking import check_graded, check_seal, seal
+from tutorstudent.core.deciding.guard import Breach, Guard
+from tutorstudent.core.deciding.limiting import Limiter
+from tutorstudent.core.deciding.rendering import render
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Student
-from tutorstudent.core.words.actions import ActionT, Group, rebuild
-from tutorstudent.core.words.proposals import Proposal, ProposalT
-from tutorstudent.core.words.records import GradedAction, Moment, StateT
-
-
-class Graded(NamedTuple, Generic[ActionT]):
-    """The outcome of steps 4 to 9, already within the limits."""
-
-    selected: GradedAction[ActionT]
-    resulting: GradedAction[ActionT]
-    permitted: Permitted
-    proposal: Proposal | None
+from tutorstudent.core.words.actions import ActionT, rebuild
+from tutorstudent.core.words.proposals import ProposalT
+from tutorstudent.core.words.records import GradedAction, StateT
+from tutorstudent.core.words.turn import Turn
 
 
 class Grader(Generic[StateT, ActionT, ProposalT]):
@@ -30,59 +23,71 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
         student: Student[StateT, ActionT, ProposalT],
         selector: ActionSelector[ActionT, ProposalT],
         amplifier: Amplifier[ActionT],
-        levels: LevelLimiter,
+        limiter: Limiter,
         guard: Guard,
     ) -> None:
         self._student, self._selector, self._amplifier = student, selector, amplifier
-        self._levels, self._guard = levels, guard
+        self._limiter = limiter
+        self._steps = (("student", self._propose), ("selector", self._select), ("amplifier", self._amplify))
+        self._guard, self._in_action = guard, guard.blame("action")
         self._proposal: Any = selector.proposal
 
-    def grade(self, moment: Moment[StateT, ActionT], original: ActionT, groups: tuple[Group, ...]) -> Graded[ActionT]:
-        """Return what is selected and what results for this moment."""
-        shown, part = moment.tutor_action, "student"
-        seal = sealed(shown)
+    def grade(self, turn: Turn[StateT, ActionT]) -> None:
+        """Write what is proposed, what is selected and what results, within the limits."""
+        part = ""
         try:
-            proposal = self._student.propose(moment)
-            check_intact(shown, seal)
-            if type(proposal) is not self._proposal:
-                raise Breach(
-                    "wrong-return", f"propose() returned {type(proposal).__name__}; return {self._proposal.__name__}."
-                )
-            part = "selector"
-            selected = received(self._selector.select(shown, proposal), shown)
-            check_intact(shown, seal)
-            part = "amplifier"
-            level = self._levels.select(selected.level, original, groups)
-            selected = _at(selected, level)
-            resulting = received(self._amplifier.amplify(selected, moment.number), shown)
-            check_intact(shown, seal)
-            level, permitted = self._levels.result(level, resulting.level, original, groups)
-        except KeyboardInterrupt:
-            raise
+            for step in self._steps:
+                part, take = step
+                take(turn)
+                check_seal(turn._moment.tutor_action, turn._seals[0])
         except BaseException as error:
-            self._guard.record(moment.number, part, error)
-            return self.fall_back(original, groups)
-        return Graded(_at(selected, level), _at(resulting, permitted.level), permitted, proposal)
+            self._guard.record(part, error)
+            self.fall_back(turn)
 
-    def fall_back(self, original: ActionT, groups: tuple[Group, ...]) -> Graded[ActionT]:
-        """Return the tutor's own action at level 0 (through slew where that is set), ampbit 1."""
-        permitted = self._levels.fall_back(original, groups)
-        graded = GradedAction(rebuild(original), permitted.level, True)
-        return Graded(graded, graded, permitted, None)
+    def fall_back(self, turn: Turn[StateT, ActionT]) -> None:
+        """Write the tutor's own action at level 0 (through slew where that is set), ampbit 1."""
+        shown = rebuild(turn._original)  # what failed may have spoilt the first copy
+        limited = self._limiter.fall_back(turn)
+        turn._moment = turn._moment._replace(tutor_action=shown)
+        turn._seals = (held := seal(shown)), held
+        turn._proposal = None
+        turn._selected = turn._resulting = GradedAction(shown, limited.level, True)
+        turn._fractions, turn._limited_by = limited.fractions, limited.by
 
-    def render(
-        self, number: int, graded: Graded[ActionT], original: ActionT, groups: tuple[Group, ...]
-    ) -> tuple[ActionT, Graded[ActionT]]:
-        """Return the action to execute; the tutor's own where the action class refuses the amplified one."""
-        try:
-            return render(original, groups, graded.permitted.fractions), graded
-        except KeyboardInterrupt:
-            raise
-        except BaseException as error:
-            self._guard.record(number, "action", error)
-            self._levels.forget()
-            return original, self.fall_back(original, groups)
+    def render(self, turn: Turn[StateT, ActionT]) -> None:
+        """Write the action to execute; the tutor's own where the action class refuses the amplified one."""
+        turn._action = turn._original
+        if not turn._fractions:
+            return
+        with self._in_action:
+            turn._action = render(turn._original, turn._groups, turn._fractions)
+        if self._in_action.failed:
+            self._limiter.forget()
+            self.fall_back(turn)
+
+    def _propose(self, turn: Turn[StateT, ActionT]) -> None:
+        proposal = self._student.propose(turn._moment)
+        if type(proposal) is not self._proposal:
+            raise Breach(
+                "wrong-return", f"propose() returned {type(proposal).__name__}; return {self._proposal.__name__}."
+            )
+        turn._proposal = proposal
+
+    def _select(self, turn: Turn[StateT, ActionT]) -> None:
+        shown, proposal = turn._moment.tutor_action, turn._proposal
+        turn._selected = check_graded(self._selector.select(shown, proposal), shown)  # type: ignore[arg-type]
+
+    def _amplify(self, turn: Turn[StateT, ActionT]) -> None:
+        moment, limiter = turn._moment, self._limiter
+        level, by = limiter.limit_selected(turn)
+        selected = _put(turn._selected, level)
+        resulting = check_graded(self._amplifier.amplify(selected, moment.number), moment.tutor_action)
+        limited = limiter.limit_resulting(turn, level, resulting.level)
+        # Where slew holds the level up, the selected one rises too: slowing down never counts as amplification.
+        turn._selected = _put(selected, max(level, limited.level)) if limited.is_held else selected
+        turn._resulting, turn._fractions = _put(resulting, limited.level), limited.fractions
+        turn._limited_by = limited.by or (by if limited.level >= level else "")
 
 
-def _at(graded: GradedAction[ActionT], level: int) -> GradedAction[ActionT]:
+def _put(graded: GradedAction[ActionT], level: int) -> GradedAction[ActionT]:
     return graded if graded.level == level else GradedAction(graded.action, level, graded.ampbit)

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import operator
 from collections import Counter, deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from contextlib import ExitStack
+from inspect import CO_VARARGS
+from types import FrameType, TracebackType
 from typing import Any, Literal
 
-from pydantic import ValidationError
-
-from tutorstudent.core.words.actions import Action, ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.proposals import require_bit, require_level
-from tutorstudent.core.words.records import GradedAction, Incident
+from tutorstudent.core.words.records import Incident
 
 OnIncident = Literal["continue", "raise"]
 REMEMBERED = 1000
-
-Seal = tuple[object, ...]
-"""The very objects that an action holds."""
+MESSAGE = 500
+"""Longest message of an incident, in characters."""
 
 
 class Breach(Exception):
@@ -37,77 +34,113 @@ class Guard:
         self.counts: Counter[tuple[str, str]] = Counter()
         """Incidents by (part, kind)."""
         self.log: deque[Incident] = deque(maxlen=REMEMBERED)
-        self.turn: list[Incident] = []
-        """Incidents of the current decision."""
+        self._decision = 0
+        self._incidents: list[Incident] = []
 
-    def record(self, decision: int, part: str, error: BaseException) -> None:
-        """Remember an incident; in ``raise`` mode, raise it.
+    def attend(self, decision: int) -> list[Incident]:
+        """Return the list that everything goes into which goes wrong from now on, until the next call."""
+        self._decision, self._incidents = decision, []
+        return self._incidents
+
+    def blame(self, part: str) -> Blame:
+        """Return the context in which a part works; what it raises there is an incident. It can be entered again."""
+        return Blame(self, part)
+
+    def record(self, part: str, error: BaseException) -> None:
+        """Remember what a part raised; in ``raise`` mode, raise it. What is the owner's is raised again.
 
         Raises:
             ContractError: where incidents are to be raised.
         """
-        kind = error.kind if isinstance(error, Breach) else "raised"
-        incident = Incident(decision, part, kind, _say(error))
+        if is_owners(error):
+            raise error
+        kind, message = _say(error)
+        incident = Incident(self._decision, part, kind, message)
         self.counts[part, kind] += 1
         self.log.append(incident)
-        self.turn.append(incident)
+        self._incidents.append(incident)
         if self.on_incident == "raise":
-            raise ContractError(f"decision {decision}: {part}: {kind}: {incident.message}") from error
+            raise ContractError(f"decision {self._decision}: {part}: {kind}: {message}") from error
 
-    def call(self, decision: int, part: str, function: Callable[[], Any]) -> None:
+    def call(self, part: str, function: Callable[[], Any]) -> None:
         """Call something that belongs to a part; what it raises is an incident."""
-        try:
+        with self.blame(part):
             function()
-        except KeyboardInterrupt:
-            raise
-        except BaseException as error:
-            self.record(decision, part, error)
+
+    def call_all(self, calls: Iterable[tuple[str, Callable[[], Any]]]) -> None:
+        """Call one after the other, all of them, whatever some raise; only then is anything raised."""
+        with ExitStack() as stack:
+            for part, function in reversed(list(calls)):  # a stack is emptied from its end
+                stack.callback(self.call, part, function)
 
 
-def _say(error: BaseException) -> str:
-    name = type(error).__name__
-    try:
-        return str(error) if isinstance(error, Breach) else f"{name}: {error}"[:500]
-    except KeyboardInterrupt:
-        raise
-    except BaseException:
-        return f"{name} (its message could not be read)"
+class Blame:
+    """Turns what a part raises into its incident. `failed` says afterwards whether it raised.
 
-
-def checked_replica(action: ActionT, what: str) -> ActionT:
-    """Return a validated copy of an action that somebody handed in; raises ContractError if it is not sound."""
-    try:
-        return rebuild(action)
-    except (ValidationError, KeyError) as error:
-        problem = error.errors(include_url=False)[0]["msg"] if isinstance(error, ValidationError) else f"no {error}"
-        raise ContractError(f"{what}: the {type(action).__name__} is not sound: {problem}.") from None
-
-
-def sealed(action: Action) -> Seal:
-    """Return what an action holds, to tell later whether it still holds the same."""
-    return tuple(action.__dict__.values())
-
-
-def check_intact(shown: Action, seal: Seal) -> None:
-    """Raise a `Breach` if the copy that parts were shown was changed.
-
-    Objects are compared, not values: what was put there in place of a number may lie about being equal.
+    The few places that every decision passes say `try` and `Guard.record` instead, which cost nothing where nothing
+    is raised.
     """
-    held = shown.__dict__
-    if len(held) < len(seal) or not all(map(operator.is_, held.values(), seal)):
-        raise Breach("mutated", "the action was changed; records are for reading.")
+
+    __slots__ = ("_guard", "_part", "failed")
+
+    def __init__(self, guard: Guard, part: str) -> None:
+        self._guard, self._part = guard, part
+        self.failed = False
+
+    def __enter__(self) -> None:
+        self.failed = False
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> bool:
+        if error is None or is_owners(error):
+            return False
+        self.failed = True
+        self._guard.record(self._part, error)
+        return True
 
 
-def received(graded: Any, shown: ActionT) -> GradedAction[ActionT]:
-    """Return a part's graded action with plain values, round the action that the part was shown."""
-    if type(graded) is not GradedAction:
-        raise Breach("wrong-return", f"returned {type(graded).__name__}; return a GradedAction.")
-    action, level, ampbit = graded
-    if action is shown and type(level) is int and level >= 0 and (ampbit is True or ampbit is False):
-        return graded
-    if action is not shown and action != shown:
-        raise Breach("wrong-return", "returned another action than the tutor's; parts move levels and bits only.")
-    level, ampbit = require_level(level), require_bit(ampbit)
-    if level < 0:
-        raise Breach("out-of-bounds", f"returned the level {level}; levels are 0 or more.")
-    return GradedAction(shown, level, ampbit)
+def is_owners(error: BaseException) -> bool:
+    """Return whether an exception is a stop from outside and not a part's.
+
+    It is the owner's if it is Ctrl-C, or if a signal handler raised it. A handler is told apart by its call: Python
+    calls it with the signal's number and the very frame that it interrupts, so that a function stands in the traceback
+    whose second argument is the frame below it.
+    """
+    if issubclass(type(error), KeyboardInterrupt):
+        return True
+    trace = error.__traceback__
+    while trace is not None:
+        if _handles_a_signal(trace.tb_frame):
+            return True
+        trace = trace.tb_next
+    return False
+
+
+def _handles_a_signal(frame: FrameType) -> bool:
+    code, below = frame.f_code, frame.f_back
+    if below is None:
+        return False
+    values = frame.f_locals
+    given = [values.get(name) for name in code.co_varnames[: code.co_argcount]]
+    if code.co_flags & CO_VARARGS:
+        given += values.get(code.co_varnames[code.co_argcount + code.co_kwonlyargcount], ())
+    return any(argument is below for argument in given)
+
+
+def _say(error: BaseException) -> tuple[str, str]:
+    """Return kind and message of what a part raised, however it behaves when it is looked at."""
+    if type(error) is Breach:
+        return error.kind, str(error)
+    try:
+        name = str(type(error).__name__)
+        try:
+            return "raised", f"{name}: {error}"[:MESSAGE]
+        except BaseException as another:
+            if is_owners(another):
+                raise
+            return "raised", f"{name} (its message could not be read)"
+    except BaseException as another:
+        if is_owners(another):
+            raise
+        return "raised", "an exception that cannot even be named"

@@ -27,7 +27,7 @@ class Judge(Generic[StateT]):
                 f"condition '{doubled[0]}' stands there twice; each condition has a name of its own.",
                 slot=f"conditions.{doubled[0]}",
             )
-        self._conditions = [(c, c.label, type(c).margins is not Condition.margins) for c in conditions]
+        self._conditions = [(condition, condition.label, _declares_margins(condition)) for condition in conditions]
         self._guard = guard
         self._before: Margins | None = None
 
@@ -35,27 +35,29 @@ class Judge(Generic[StateT]):
         """Begin a trial: the next state has nothing before it."""
         self._before = None
 
-    def judge(self, number: int, state: StateT) -> Outcome[StateT]:
-        """Return what the conditions say about the state that decision `number` led to."""
+    def judge(self, state: StateT) -> Outcome[StateT]:
+        """Return what the conditions say about the state that a decision led to."""
         violated: list[str] = []
         margins: dict[str, tuple[float, ...]] = {}
         for condition, name, declares in self._conditions:
             try:
-                if _violated(condition, state):
-                    violated.append(name)
+                answer = _ask(condition, state)
                 if declares and (found := condition.margins(state)) is not None:
-                    margins[name] = _margins(found)
-            except KeyboardInterrupt:
-                raise
+                    margins[name] = _check_margins(found)
             except BaseException as error:
-                if name not in violated:
-                    violated.append(name)
-                self._guard.record(number, f"conditions.{name}", error)
+                answer = True  # where it cannot say
+                self._guard.record(f"conditions.{name}", error)
+            if answer:
+                violated.append(name)
         before, self._before = self._before, MappingProxyType(margins) if margins else NO_MARGINS
         return Outcome(state, tuple(violated), before, self._before)
 
 
-def _violated(condition: Condition[Any], state: Any) -> bool:
+def _declares_margins(condition: Condition[Any]) -> bool:
+    return type(condition).margins is not Condition.margins
+
+
+def _ask(condition: Condition[Any], state: Any) -> bool:
     answer = condition.violated(state)
     if answer is True or answer is False:
         return answer
@@ -65,7 +67,7 @@ def _violated(condition: Condition[Any], state: Any) -> bool:
         raise Breach("wrong-return", f"violated() returned {type(answer).__name__}; return a bool.") from None
 
 
-def _margins(found: Sequence[float]) -> tuple[float, ...]:
+def _check_margins(found: Sequence[float]) -> tuple[float, ...]:
     margins = tuple(map(require_number, found))
     if any(math.isnan(margin) for margin in margins):
         raise Breach("not-finite", "margins() returned NaN; a condition whose margin is unknown counts as violated.")

@@ -2,42 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, NamedTuple
+from typing import Any, Generic
 
-from tutorstudent.core.deciding.guard import Breach, Guard, Seal, check_intact, received
+from tutorstudent.core.deciding.checking import check_graded, check_records
+from tutorstudent.core.deciding.guard import Breach, Guard
 from tutorstudent.core.roles.interfaces import Evaluator, Student
-from tutorstudent.core.words.actions import ActionT, Group, rebuild
+from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.records import Decision, Lesson, Outcome, StateT
-
-
-class Pending(NamedTuple):
-    """The decision that waits for its outcome, with the actions that nobody else sees."""
-
-    decision: Decision[Any, Any]
-    original: Any
-    executed: Any
-    groups: tuple[Group, ...]
-    seals: tuple[Seal, Seal]
-    """Of the tutor's action and the executed action in the record."""
-    asked: Decision[Any, Any]
-    """The decision as it was made, before anybody said that something else was executed."""
-
-    def check_intact(self) -> None:
-        """Raise a `Breach` if a part spoilt what it was shown."""
-        tutor_action, executed = self.decision.moment.tutor_action, self.decision.executed
-        check_intact(tutor_action, self.seals[0])
-        if executed is not tutor_action:
-            check_intact(executed, self.seals[1])
-
-    def renewed(self) -> Decision[Any, Any]:
-        """Return the decision with fresh copies, for the record, after a part spoilt the old ones."""
-        decision, shown = self.decision, rebuild(self.original)
-        return decision._replace(
-            moment=decision.moment._replace(tutor_action=shown),
-            selected=decision.selected._replace(action=shown),
-            resulting=decision.resulting._replace(action=shown),
-            executed=rebuild(self.executed),
-        )
+from tutorstudent.core.words.turn import Turn
 
 
 class Teacher(Generic[StateT, ActionT]):
@@ -48,29 +20,32 @@ class Teacher(Generic[StateT, ActionT]):
     ) -> None:
         self._evaluator, self._student, self._guard = evaluator, student, guard
 
-    def teach(self, pending: Pending, outcome: Outcome[StateT]) -> Lesson[StateT, ActionT] | None:
-        """Return the lesson that was taught, or None."""
-        decision, part = pending.decision, "evaluator"
-        shown = decision.moment.tutor_action
+    def teach(self, turn: Turn[StateT, ActionT], outcome: Outcome[StateT]) -> None:
+        """Write the lesson that was taught, if any."""
+        part = "evaluator"
         try:
-            lesson = self._evaluator.evaluate(decision, outcome)
-            pending.check_intact()
+            lesson = self._ask(turn, outcome)
             if lesson is None:
-                return None
-            if type(lesson) is not Lesson:
-                raise Breach("wrong-return", f"evaluate() returned {type(lesson).__name__}; return a Lesson or None.")
-            target = received(lesson.target, shown)
-            if target is not lesson.target:
-                lesson = lesson._replace(target=target)
-            _check_evidence(lesson, decision, outcome)
+                return
             part = "student"
             self._student.teach(lesson)
-            pending.check_intact()
-        except KeyboardInterrupt:
-            raise
+            check_records(turn)
+            turn._lesson = lesson
         except BaseException as error:
-            self._guard.record(decision.moment.number, part, error)
+            self._guard.record(part, error)
+
+    def _ask(self, turn: Turn[StateT, ActionT], outcome: Outcome[StateT]) -> Lesson[StateT, ActionT] | None:
+        decision = turn._decision
+        lesson = self._evaluator.evaluate(decision, outcome)
+        check_records(turn)
+        if lesson is None:
             return None
+        if type(lesson) is not Lesson:
+            raise Breach("wrong-return", f"evaluate() returned {type(lesson).__name__}; return a Lesson or None.")
+        target = check_graded(lesson.target, decision.moment.tutor_action)
+        if target is not lesson.target:
+            lesson = lesson._replace(target=target)
+        _check_evidence(lesson, decision, outcome)
         return lesson
 
 

@@ -5,25 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Generic
 
+from tutorstudent.core.deciding.checking import seal
 from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import StateT
+from tutorstudent.core.words.records import Moment, StateT
+from tutorstudent.core.words.turn import Turn
 
 
 class TutorSeat(Generic[StateT, ActionT]):
-    """Asks the tutor; where it fails, raises or hands out the action that the owner wrote down."""
+    """Asks the tutor; where it fails, raises or takes the action that the owner wrote down."""
 
     def __init__(self, tutor: Tutor[StateT, ActionT], guard: Guard, on_failure: ActionT | None) -> None:
         self._tutor, self._guard, self._on_failure = tutor, guard, on_failure
         self.hears = type(tutor).executed is not Tutor.executed
 
-    def ask(self, number: int, state: StateT) -> tuple[ActionT, ActionT, str, bool]:
-        """Call the tutor once.
+    def ask(self, turn: Turn[StateT, ActionT], number: int, state: StateT) -> None:
+        """Call the tutor once and write its action into the turn, with the copy that parts are shown.
 
-        Returns:
-            A sound action that nobody but the engine sees, its copy, the situation, and whether the tutor failed.
+        Where it fails, the owner's action stands in for it and the turn is void.
         """
         try:
             action = self._tutor.act(state)
@@ -32,30 +33,28 @@ class TutorSeat(Generic[StateT, ActionT]):
                     f"tutor '{self._tutor.name}' returned {type(action).__name__}; "
                     f"expected {self._tutor.action.__name__}. Tutors return an action of their class for every state."
                 )
-            shown, situation = rebuild(action), self._tutor.situation
+            copy, situation = rebuild(action), self._tutor.situation
             if not isinstance(situation, str):
                 raise ContractError(
                     f"tutor '{self._tutor.name}': situation is {situation!r}; it is a string, '' for none."
                 )
-            return action, shown, situation, False
-        except KeyboardInterrupt:
-            raise
         except BaseException as error:
             if self._on_failure is None:
                 raise
-            self._guard.record(number, "tutor", error)
-            return self._on_failure, rebuild(self._on_failure), "", True
+            self._guard.record("tutor", error)
+            action, copy, situation = self._on_failure, rebuild(self._on_failure), ""
+            turn._void = "the tutor failed"
+        turn._original, turn._groups = action, action.vocabulary.groups[action.kind]
+        turn._moment = Moment(number, state, copy, situation)
+        turn._seals = (held := seal(copy)), held
 
-    def tell(self, number: int, executed: ActionT) -> None:
+    def tell(self, turn: Turn[StateT, ActionT]) -> None:
         """Tell the tutor what was really executed; for tutors that listen (`hears`)."""
-        self._call(number, lambda: self._tutor.executed(rebuild(executed)))
+        self.call(lambda: self._tutor.executed(rebuild(turn._decision.executed)))
 
-    def reset(self, number: int) -> None:
-        """Begin a trial."""
-        self._call(number, self._tutor.reset)
-
-    def _call(self, number: int, function: Callable[[], Any]) -> None:
+    def call(self, function: Callable[[], Any]) -> None:
+        """Call something of the tutor's; it may raise unless the owner wrote down what to do then."""
         if self._on_failure is None:
             function()
         else:
-            self._guard.call(number, "tutor", function)
+            self._guard.call("tutor", function)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tutorstudent.core.deciding.guard import checked_replica
+from tutorstudent.core.deciding.checking import copy_checked
 from tutorstudent.core.roles.interfaces import ActionSelector, Student, Tutor
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, list_names
@@ -51,4 +51,4 @@ def check_failure_action(tutor: Tutor[Any, Any], action: Action | None) -> None:
             f"on_tutor_failure: found {type(action).__name__}; expected the tutor's {tutor.action.__name__}."
         )
     if action is not None:
-        checked_replica(action, "on_tutor_failure")
+        copy_checked(action, "on_tutor_failure")

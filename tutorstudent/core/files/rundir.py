@@ -4,7 +4,7 @@
 |---|---|
 | ``pipeline.yaml`` | the pipeline with every option written out |
 | ``decisions.npz`` | every decision, see `Recorder` |
-| ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), incidents |
+| ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), measures, incidents |
 | ``learned.npz`` | what was learned, see `arrays.nest` |
 """
 
@@ -13,10 +13,10 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from dataclasses import asdict
 from importlib import metadata
-from itertools import chain, count
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -28,11 +28,12 @@ from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.running.arrays import Arrays, flatten, save_arrays
-from tutorstudent.core.running.observers import Observer, Tally, WorldEvents
+from tutorstudent.core.running.meter import WorldEvents
+from tutorstudent.core.running.observers import Observer, Tally, make_tally_measures
 from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.errors import PipelineError
-from tutorstudent.core.words.proposals import require_number
+from tutorstudent.core.words.measures import Measure
 
 PACKAGES = ("tutorstudent", "numpy", "pydantic", "pluggy", "pybullet", "scikit-learn")
 
@@ -48,6 +49,8 @@ class Finished(NamedTuple):
     summary: dict[str, float]
     """What the observers counted; NaN for what is no number."""
     decisions: Arrays
+    measures: tuple[Measure, ...] = ()
+    """What the world, the observers and every run declare."""
 
 
 def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Finished:
@@ -60,40 +63,16 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
     with pipeline.built() as built, ExitStack() as stack:
         # Before the run: what cannot be written down should not cost a run.
         resolved, plugins = describe(built.engine, built.world, pipeline), find_providers(built, pipeline.registry)
-        recorder, counting = Recorder(), [Tally(), WorldEvents()]
-        for observer in (recorder, *counting, *observers):
+        recorder = Recorder([*built.observers, *observers])
+        counting = [Tally(), WorldEvents(), recorder]
+        for observer in (*counting, *observers):
             slot = f"observers.{observer.name}"
             observer.bind(Binding(pipeline.header.seed, slot, built.engine.tutor.action))
             stack.callback(observer.close)
-        counting = [*counting, *built.observers, *observers]
-        _run(built, pipeline, [recorder, *counting])
-        return Finished(built.engine, resolved, plugins, _summarise(counting), recorder.arrays())
-
-
-def _run(built: Built, pipeline: Pipeline, observers: Sequence[Observer]) -> None:
-    header = pipeline.header
-    run(built.engine, built.world, header.decisions, seed=header.seed, observers=observers)
-
-
-def _summarise(observers: Iterable[Observer]) -> dict[str, float]:
-    found: dict[str, float] = {}
-    for observer in observers:
-        mine = {key: _make_number(value) for key, value in observer.summary().items()}
-        found |= {_find_free_key(key, found): value for key, value in mine.items()}
-    return found
-
-
-def _find_free_key(key: str, taken: Container[str]) -> str:
-    """Return the key, numbered if an earlier observer uses it already."""
-    numbered = (f"{key}#{number}" for number in count(2))
-    return next(name for name in chain([key], numbered) if name not in taken)
-
-
-def _make_number(value: Any) -> float:
-    try:
-        return require_number(value)
-    except (TypeError, ValueError, OverflowError):
-        return math.nan
+        engine, world, header = built.engine, built.world, pipeline.header
+        summary = run(engine, world, header.decisions, seed=header.seed, observers=counting)
+        measures = (*world.measures, *recorder.measured, *make_tally_measures(engine))
+        return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures)
 
 
 def write_run(directory: Path, finished: Finished, final: Path | None = None) -> str | None:
@@ -169,6 +148,7 @@ def _make_record(finished: Finished) -> dict[str, Any]:
         "seed": finished.resolved["seed"],
         "decisions": finished.resolved["decisions"],
         "summary": {key: value if math.isfinite(value) else None for key, value in finished.summary.items()},
+        "measures": [asdict(measure) for measure in finished.measures],
         "incident_counts": {f"{part}: {kind}": count for (part, kind), count in sorted(engine.incident_counts.items())},
         "newest_incidents": [incident._asdict() for incident in engine.incidents],
     }

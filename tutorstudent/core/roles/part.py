@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import abc
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,6 +14,7 @@ from tutorstudent.core.roles.binding import Binding, make_stream
 from tutorstudent.core.roles.option_problems import find_option_problems, refuse_truth
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError, list_names, suggest
+from tutorstudent.core.words.turn import Turn
 
 Learned = Mapping[str, Any]
 """What was learned: arrays, numbers, strings, and mappings of these."""
@@ -50,6 +52,7 @@ class Component(abc.ABC):
     * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
     * ``setup()``: once, when ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
     * ``reset()``: between trials: forget the episode, keep what was learned
+    * ``judged(turn)``: hear what became of a decision (parts of an engine; optional)
     * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
     * ``close()``: once, at the end
     """
@@ -100,8 +103,9 @@ class Component(abc.ABC):
 
     def close(self) -> None:
         """Release what `setup` opened."""
-        for _, part in self.parts():
-            part.close()
+        with ExitStack() as stack:  # whatever one of them raises, all are closed
+            for _, part in reversed(list(self.parts())):
+                stack.callback(part.close)
 
     def state_dict(self) -> Learned:
         """Return what was learned: arrays and plain values, by name."""
@@ -141,9 +145,24 @@ class EnginePart(Component):
 
     def reset(self) -> None:
         """Forget the episode, keep what was learned."""
-        for _, part in self.parts():
-            if isinstance(part, EnginePart):
-                part.reset()
+        with ExitStack() as stack:  # whatever one of them raises, all are reset
+            for _, part in reversed(list(self.parts())):
+                if isinstance(part, EnginePart):
+                    stack.callback(part.reset)
+
+    def judged(self, turn: Turn[Any, Any]) -> None:
+        """Hear what became of a decision: after it was judged and taught, or when it was dropped.
+
+        A part that does not override it is never called. The turn is for reading.
+        """
+
+
+def find_listeners(parts: Iterable[tuple[str, Component]]) -> Iterator[tuple[str, EnginePart]]:
+    """Yield every part that listens to `EnginePart.judged`, nested ones too, with its slot."""
+    for slot, part in parts:
+        if isinstance(part, EnginePart) and type(part).judged is not EnginePart.judged:
+            yield slot, part
+        yield from find_listeners((f"{slot}.{key}", nested) for key, nested in part.parts())
 
 
 def _describe_value(value: Any) -> Any:

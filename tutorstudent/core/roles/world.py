@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import abc
 from collections.abc import Mapping, Sequence
-from typing import ClassVar, Generic, Literal, NamedTuple
+from typing import ClassVar, Generic, NamedTuple
 
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.words.actions import Action, ActionT
+from tutorstudent.core.words.measures import Measure, Summary, as_measure
 from tutorstudent.core.words.records import StateT
 
-Summary = Literal["sum", "max", "mean", "last"]
 Point = tuple[float, float]
 
 
@@ -50,9 +50,14 @@ class World(Component, Generic[StateT, ActionT]):
     """The event that a run should maximise; comparisons use it where no observer counts anything."""
 
     @property
-    def event_names(self) -> Mapping[str, Summary]:
-        """The events in `Step.events`, each with how a run summarizes it."""
+    def event_names(self) -> Mapping[str, Summary | Measure]:
+        """The events in `Step.events`, each as a measure or, in short, with how a run sums it up."""
         return {}
+
+    @property
+    def measures(self) -> Sequence[Measure]:
+        """The events as measures."""
+        return [as_measure(name, how) for name, how in self.event_names.items()]
 
     @abc.abstractmethod
     def reset(self, seed: int) -> StateT:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import abc
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.part import Component
-from tutorstudent.core.roles.world import Step, Summary, World
+from tutorstudent.core.roles.world import Step, World
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal
-from tutorstudent.core.words.records import Turn
+from tutorstudent.core.words.turn import Turn
 
 
 class Begin(NamedTuple):
@@ -26,17 +27,57 @@ class Observer(Component):
     """Counts, records or shows what happens. It must not change what it sees."""
 
     role: ClassVar[str] = "observer"
+    measures: Sequence[Measure] = ()
+    """What `observe` returns numbers of; each gets its column, its curve and its test in comparisons."""
 
     def begin(self, begin: Begin) -> None:
-        """Hear what is about to run."""
+        """Hear what is about to run. From here on `measures` are known."""
 
     @abc.abstractmethod
-    def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
-        """See one decision. Called once per decision, after it was judged."""
+    def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> Mapping[str, float] | None:
+        """See one decision. Called once per decision, after it was judged.
+
+        Returns:
+            The decision's numbers by the names of `measures`, which the run records and sums up; what is missing was
+            not measured in this decision, and None is nothing at all.
+        """
 
     def summary(self) -> Mapping[str, float]:
-        """Return what it counted, by name."""
+        """Return what it counted by itself, by name: numbers that only a whole run has.
+
+        A number of the name of one of its `measures` stands for the sum.
+        """
         return {}
+
+
+TALLIED = (
+    Measure(
+        "violated",
+        "violated decisions",
+        better="less",
+        description="decisions after which a condition was violated, as the learner saw it, which may be late",
+    ),
+    Measure("mean_level", "mean level", summed="mean", description="amplification level over all decisions"),
+    Measure(
+        "match_rate",
+        "named the tutor's kind",
+        unit="%",
+        summed="mean",
+        description="share of decisions in which the student named the tutor's kind; only of students that name kinds",
+        detail=True,
+    ),
+    Measure(
+        "amplified_share",
+        "raised by the amplifier",
+        unit="%",
+        summed="mean",
+        description="share of decisions in which the amplifier raised the level; controls set theirs without it",
+        detail=True,
+    ),
+    Measure("taught", "lessons", description="how often the student was taught", detail=True),
+    Measure("incidents", description="what parts did against their contract", detail=True),
+)
+"""What every run measures, whatever its parts."""
 
 
 class Tally(Observer):
@@ -49,6 +90,10 @@ class Tally(Observer):
         self._sums: Counter[str] = Counter()
         self._violated: Counter[str] = Counter()
         self._situations: Counter[str] = Counter()
+
+    def begin(self, begin: Begin) -> None:
+        # A condition that was never violated counts 0; it is not unknown.
+        self._violated.update({condition.label: 0 for condition in begin.engine.conditions})
 
     def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
         decision, sums = turn.decision, self._sums
@@ -78,35 +123,28 @@ class Tally(Observer):
             counts
             | {"mean_level": self._sums["level"] / decisions}
             | matched
-            | {f"violated:{name}": float(count) for name, count in sorted(self._violated.items())}
+            | {f"{VIOLATED}{name}": float(count) for name, count in sorted(self._violated.items())}
             | {f"share:{name}": count / decisions for name, count in sorted(self._situations.items()) if name}
         )
 
 
-class WorldEvents(Observer):
-    """Summarizes the world's events, each as the world says."""
+VIOLATED = "violated:"
+"""Stands before the name of a condition in summaries."""
 
-    name = "world-events"
 
-    def begin(self, begin: Begin) -> None:
-        self._how: Mapping[str, Summary] = begin.world.event_names
-        self._values: dict[str, float] = {}
-        self._count = 0
-
-    def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
-        self._count += 1
-        for name, how in self._how.items():
-            value = step.events.get(name, 0.0)
-            if how == "last":
-                self._values[name] = value
-            elif how == "max":
-                self._values[name] = max(self._values.get(name, value), value)
-            else:
-                self._values[name] = self._values.get(name, 0.0) + value
-
-    def summary(self) -> Mapping[str, float]:
-        means = [name for name, how in self._how.items() if how == "mean"]
-        return self._values | {name: self._values.get(name, 0.0) / max(1, self._count) for name in means}
+def make_tally_measures(engine: Engine[Any, Any, Any]) -> list[Measure]:
+    """Return what `Tally` measures of an engine: of several conditions also each by itself."""
+    labels = [condition.label for condition in engine.conditions]
+    of_each = [
+        Measure(
+            f"{VIOLATED}{label}",
+            f"violated {label}",
+            better="less",
+            description=f"decisions after which {label} was violated",
+        )
+        for label in labels
+    ]
+    return [*TALLIED, *(of_each if len(labels) > 1 else ())]
 
 
 class Entries(Observer):
@@ -121,13 +159,18 @@ class Entries(Observer):
     """Name of the count in summaries."""
 
     def begin(self, begin: Begin) -> None:
+        about = f"how often the tutor entered the situation '{self.situation}'"
+        self.measures = [Measure(self.counted, better="more", description=about)]
         self._was_in = False
         self._entries = 0
 
-    def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> None:
+    def observe(self, turn: Turn[Any, Any], step: Step[Any]) -> Mapping[str, float]:
         is_in = turn.decision.moment.situation == self.situation
-        self._entries += is_in and not self._was_in
+        entered = is_in and not self._was_in
         self._was_in = is_in and not (step.done or step.truncated)
+        self._entries += entered
+        return {self.counted: float(entered)}
 
     def summary(self) -> Mapping[str, float]:
+        """Return the count up to now."""
         return {self.counted: float(self._entries)}

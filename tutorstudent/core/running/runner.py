@@ -9,6 +9,7 @@ import numpy as np
 
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.world import World
+from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
 from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
@@ -29,18 +30,22 @@ def run(
     *,
     seed: int = 0,
     observers: Sequence[Observer] = (),
-) -> None:
+) -> dict[str, float]:
     """Run the loop for `decisions` decisions, over as many trials as it takes.
 
     The engine keeps what it has learned before and begins a new trial. When a trial is done, its last state is judged
     too (a crash often shows only there); when it was cut off, it is not.
 
+    Returns:
+        What the observers measured, summed up, and what they counted by themselves, by name.
+
     Raises:
-        ContractError: if the world does not execute the tutor's actions.
+        ContractError: if the world does not execute the tutor's actions, or an observer measures what is no number or
+            not declared.
     """
     check_world(engine, world)
-    for observer in observers:
-        observer.begin(Begin(engine, world, decisions))
+    meter = Meter(observers)
+    meter.begin(Begin(engine, world, decisions))
     trial = 0
     engine.reset()
     state = world.reset(make_trial_seed(seed, trial))
@@ -53,13 +58,13 @@ def run(
         turn = engine.last
         if turn is None:
             raise ContractError("run(): the engine has no turn to show; it was reset from inside the loop.")
-        for observer in observers:
-            observer.observe(turn, step)
+        meter.observe(turn, step)
         state = step.state
         if step.done or step.truncated:
             trial += 1
             engine.reset()
             state = world.reset(make_trial_seed(seed, trial))
+    return meter.summary()
 
 
 def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:

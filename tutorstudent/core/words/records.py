@@ -1,4 +1,4 @@
-"""What the engine remembers of one decision (Thesis 3.2.3 a-e and A-C).
+"""What the engine remembers of one decision (Thesis 3.2.3 a-e and A-C); `turn.Turn` holds all of it together.
 
 All records are immutable tuples. The tutor's action in them is a copy; the engine keeps the original to itself.
 """
@@ -83,15 +83,3 @@ class Incident(NamedTuple):
     kind: str
     """``raised``, ``wrong-return``, ``mutated``, ``not-finite`` or ``out-of-bounds``."""
     message: str
-
-
-class Turn(NamedTuple, Generic[StateT, ActionT]):
-    """One decision and what came of it: what observers see."""
-
-    decision: Decision[StateT, ActionT]
-    outcome: Outcome[StateT] | None
-    """None while the outcome is not known, and for decisions that were dropped."""
-    lesson: Lesson[StateT, ActionT] | None
-    incidents: tuple[Incident, ...]
-    void: str
-    """Why the decision teaches nothing, or empty."""

@@ -15,7 +15,8 @@ from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.running.runner import check_world, make_trial_seed
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
-from tutorstudent.core.words.records import Moment, Turn
+from tutorstudent.core.words.records import Moment
+from tutorstudent.core.words.turn import Turn
 from tutorstudent.sims.gym.drawing import draw_picture
 from tutorstudent.sims.gym.driven import Driven, drive
 from tutorstudent.sims.gym.scoring import Weights, check_weights, score

@@ -7,10 +7,11 @@ from typing import Any, ClassVar
 
 from tutorstudent.core.roles import part
 from tutorstudent.core.roles.part import Field
-from tutorstudent.core.roles.world import Step, Summary, World
+from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, PipelineError
 from tutorstudent.core.words.freezing import freeze
+from tutorstudent.core.words.measures import Measure, Summary
 from tutorstudent.sims.gym.loading import load_gymnasium
 from tutorstudent.sims.gym.spaces import check_box, check_fit, make_box_values
 from tutorstudent.sims.gym.types import GymState
@@ -39,8 +40,13 @@ class GymnasiumWorld(World[GymState, Action]):
     _return = 0.0
 
     @property
-    def event_names(self) -> Mapping[str, Summary]:
-        return {"reward": "sum", "episode_return": "last", "episodes": "sum"}
+    def event_names(self) -> Mapping[str, Summary | Measure]:
+        last = "what the last trial had come to when the run ended"
+        return {
+            "reward": Measure("reward", better="more", description="what the environment pays"),
+            "episode_return": Measure("episode_return", "return", summed="last", description=last, detail=True),
+            "episodes": Measure("episodes", description="trials that ended", detail=True),
+        }
 
     def setup(self) -> None:
         """Make the environment.

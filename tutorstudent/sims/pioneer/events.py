@@ -5,18 +5,47 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from tutorstudent.core.roles.world import Summary
+from tutorstudent.core.words.measures import Measure, Summary
 from tutorstudent.sims.pioneer.body import REACH_M, Pose, Rectangle, footprint
 from tutorstudent.sims.pioneer.motion import FREE, Command
 
-EVENTS: Mapping[str, Summary] = {
-    "stalled_ticks": "sum",
+EVENTS: Mapping[str, Summary | Measure] = {
+    "stalled_ticks": Measure(
+        "stalled_ticks",
+        "stalled ticks",
+        better="less",
+        description="ticks of the simulation in which the learner's own motion was refused",
+        detail=True,
+    ),
     "collided": "sum",
-    "longest_stall": "max",
+    "longest_stall": Measure(
+        "longest_stall",
+        "longest stall",
+        unit="decisions",
+        better="less",
+        summed="max",
+        description="most decisions in a row that collided; many mean that it was trapped",
+        detail=True,
+    ),
     "contacts": "sum",
-    "contact_speed_mps": "max",
-    "hit_by_others": "sum",
-    "encounters": "sum",
+    "contact_speed_mps": Measure(
+        "contact_speed_mps",
+        "hardest contact",
+        unit="m/s",
+        better="less",
+        summed="max",
+        description="speed that was commanded when a collision began",
+        detail=True,
+    ),
+    "hit_by_others": Measure(
+        "hit_by_others",
+        "hit by others",
+        description="how often another robot ran into the learner",
+        detail=True,
+    ),
+    "encounters": Measure(
+        "encounters", better="more", description="how often it came near to something red", detail=True
+    ),
     "distance_m": "sum",
     "time_s": "sum",
     "x_m": "last",

@@ -12,9 +12,10 @@ import math
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from tutorstudent.core.roles.world import Sketch, Step, Summary, World
+from tutorstudent.core.roles.world import Sketch, Step, World
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.measures import Measure, Summary
 from tutorstudent.sims.pioneer.bullet import Bullet, load_pybullet
 from tutorstudent.sims.pioneer.events import EVENTS
 from tutorstudent.sims.pioneer.layout import Layout, load_layout
@@ -38,7 +39,7 @@ class PioneerWorld(World[PioneerState, DriveAction]):
     _trial: Trial | None = None
 
     @property
-    def event_names(self) -> Mapping[str, Summary]:
+    def event_names(self) -> Mapping[str, Summary | Measure]:
         return EVENTS
 
     def setup(self) -> None:

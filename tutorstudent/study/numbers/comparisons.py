@@ -7,25 +7,28 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.measures import WAY, Measure, find_harm_measure, measure_per_way
+from tutorstudent.study.numbers.declared import choose_harm, find_measures
 from tutorstudent.study.numbers.pairs import Difference, Improvement, make_pairs
+from tutorstudent.study.numbers.quantities import WAY, Quantity
 from tutorstudent.study.numbers.significance import holm, sign_flip
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 
 
 class Comparison(NamedTuple):
-    """One variant against another, in one measure."""
+    """One variant against another, in one number."""
 
     environment: str
     variant: Variant
     against: str
-    measure: Measure
+    quantity: Quantity
     difference: Difference
     correlation: float | None
-    improvement: Improvement
+    improvement: Improvement | None
+    """None where neither more nor less is better."""
     p: float | None
-    """None where nothing is tested: nothing is claimed of controls, and one pair says nothing."""
+    """None where nothing is tested: nothing is claimed of controls or where nothing is better, and one pair says
+    nothing."""
     p_holm: float | None
     """Corrected for all tests of its family."""
 
@@ -51,29 +54,35 @@ class Contest(NamedTuple):
 
 
 def make_families(study: Study) -> list[Family]:
-    """Return what can be compared to the tutor alone and to the controls: what was found, and what it cost."""
+    """Return what can be compared to the tutor alone and to the controls.
+
+    What was found and what it cost are families of their own, so that no other measure changes their p values.
+    """
     rivals = {"Differences to the tutor alone": pair_with_tutor, "Differences to the controls": pair_with_controls}
     made: dict[str, list[Comparison]] = {}
     for title, contests in rivals.items():
         for environment in study.plan.environments:
             runs = [run for run in study.runs if run.environment == environment.name]
-            for about, measures in list_measures(environment, runs).items():
-                held = _compare_all(study, contests(environment), measures)
+            for about, quantities in list_measures(environment, runs).items():
+                shown = [item for item in quantities if item.better or contests is pair_with_tutor]
+                held = _compare_all(study, contests(environment), shown)
                 made.setdefault(f"{title}: {about}", []).extend(held)
     return [Family(title, correct(found)) for title, found in made.items() if found]
 
 
-def list_measures(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Measure]]:
+def list_measures(environment: Environment, runs: Sequence[Run]) -> dict[str, list[Quantity]]:
     """Return what is compared: counts, and the same by the way travelled, which driving faster does not raise."""
-    counters, cost = environment.counters(), find_harm_measure(runs)
-    measures = {
+    measures = find_measures(environment, runs)
+    counted, harm = [item for item in measures if item.name in environment.counters()], choose_harm(measures)
+    quantities = {
         "what was found": [
-            *(Measure(name, name, better=1) for name in counters),
-            *(measure_per_way(name, name, better=1) for name in counters if name != WAY),
+            *map(Quantity, counted),
+            *(Quantity(item, WAY) for item in counted if item.name != WAY.key),
         ],
-        "what it cost": [cost, measure_per_way(cost.title, cost.key, better=-1)],
+        "what it cost": [Quantity(harm), Quantity(harm, WAY)],
+        "what else was measured": [Quantity(item) for item in measures if item not in (*counted, harm)],
     }
-    return {about: [item for item in found if item.is_known(runs)] for about, found in measures.items()}
+    return {about: [item for item in found if item.is_known(runs)] for about, found in quantities.items()}
 
 
 def pair_with_tutor(environment: Environment) -> list[Contest]:
@@ -96,23 +105,24 @@ def correct(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
     return tuple(item if item.p is None else item._replace(p_holm=next(ps)) for item in comparisons)
 
 
-def _compare_all(study: Study, contests: Sequence[Contest], measures: Sequence[Measure]) -> list[Comparison]:
-    found = [_compare(study, contest, measure) for measure in measures for contest in contests]
+def _compare_all(study: Study, contests: Sequence[Contest], quantities: Sequence[Quantity]) -> list[Comparison]:
+    found = [_compare(study, contest, quantity) for quantity in quantities for contest in contests]
     return [item for item in found if item is not None]
 
 
-def _compare(study: Study, contest: Contest, measure: Measure) -> Comparison | None:
-    ours = measure.read_by_seed(study.of(contest.environment, contest.variant.name))
-    pairs = make_pairs(ours, measure.read_by_seed(study.of(contest.environment, contest.against)))
+def _compare(study: Study, contest: Contest, quantity: Quantity) -> Comparison | None:
+    ours = quantity.read_by_seed(study.of(contest.environment, contest.variant.name))
+    pairs = make_pairs(ours, quantity.read_by_seed(study.of(contest.environment, contest.against)))
     if pairs is None:
         return None
+    is_tested = quantity.better and not contest.variant.control
     return Comparison(
         *contest,
-        measure,
+        quantity,
         pairs.difference(),
         pairs.correlation(),
-        pairs.improvement(measure.better),
-        p=None if contest.variant.control else sign_flip(pairs.differences),
+        pairs.improvement(quantity.better) if quantity.better else None,
+        p=sign_flip(pairs.differences) if is_tested else None,
         p_holm=None,
     )
 
@@ -152,13 +162,12 @@ def _make_row(item: Comparison) -> list[str | float | None]:
         item.environment,
         item.variant.name,
         item.against,
-        item.measure.title,
+        item.quantity.title,
         item.difference.pairs,
         item.difference.mean,
         *(item.difference.interval or ("", "")),
         item.correlation,
-        item.improvement.share,
-        *item.improvement.interval,
+        *((item.improvement.share, *item.improvement.interval) if item.improvement else ("", "", "")),
         item.p,
         item.p_holm,
     ]

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.running.observers import VIOLATED
 from tutorstudent.core.running.recorder import NO_LEVEL
+from tutorstudent.core.words.measures import Measure
 
 Curve = NDArray[np.float64]
 
@@ -30,24 +33,38 @@ def find_beginnings(inside: NDArray[np.bool_], arrays: Arrays) -> NDArray[np.boo
 
 def read_event(arrays: Arrays, name: str) -> Curve | None:
     """Return the values of one of the world's events, shape (decisions,); None if the world has no such event."""
-    found = np.flatnonzero(arrays["event_names"] == name)
-    return np.asarray(arrays["events"][:, found[0]], dtype=np.float64) if len(found) else None
+    return _find_column(arrays, "events", "event_names", name)
 
 
-def read_count(arrays: Arrays, name: str, situation: str) -> Curve | None:
+def read_series(arrays: Arrays, name: str) -> Curve | None:
+    """Return a measure's numbers, shape (decisions,), NaN where there was none; None if the run did not record it."""
+    if name.startswith(VIOLATED):
+        return _find_column(arrays, "violated", "condition_names", name.removeprefix(VIOLATED))
+    if name in TALLIED:
+        return TALLIED[name](arrays)
+    measured = _find_column(arrays, "measures", "measure_names", name)
+    return read_event(arrays, name) if measured is None else measured
+
+
+def _find_column(arrays: Arrays, columns: str, names: str, name: str) -> Curve | None:
+    found = np.flatnonzero(arrays.get(names, np.zeros(0)) == name)
+    return np.asarray(arrays[columns][:, found[0]], dtype=np.float64) if len(found) else None
+
+
+def count_by_decision(arrays: Arrays, name: str, situation: str) -> Curve | None:
     """Return how much of something was counted in each decision, shape (decisions,).
 
     Args:
         arrays: Of a run.
         name: Of the count.
-        situation: Whose entries are counted; empty for the world's event of that name.
+        situation: Whose entries are counted; empty for the measure of that name.
 
     Returns:
-        None if the world has no such event, or one that is less than nothing at times: its total would not only grow.
+        None if that was not recorded, or is less than nothing at times: its total would not only grow.
     """
     if situation:
         return find_entries(arrays, situation).astype(np.float64)
-    values = read_event(arrays, name)
+    values = read_series(arrays, name)
     return values if values is not None and np.all(values >= 0) else None
 
 
@@ -68,10 +85,23 @@ def read_level(arrays: Arrays) -> Curve:
     return np.asarray(arrays["resulting_level"], dtype=np.float64)
 
 
-def find_matches(arrays: Arrays) -> NDArray[np.bool_] | None:
+def find_matches(arrays: Arrays) -> Curve | None:
     """Return in which decisions the student named the tutor's kind, shape (decisions,); None if it never named any."""
     proposed = arrays["proposed_kind"]
-    return np.asarray(proposed == arrays["kind"], dtype=bool) if np.any(proposed != NO_LEVEL) else None
+    return np.asarray(proposed == arrays["kind"], dtype=np.float64) if np.any(proposed != NO_LEVEL) else None
+
+
+TALLIED: dict[str, Callable[[Arrays], Curve | None]] = {
+    "violated": lambda arrays: np.asarray(arrays["violated"].any(axis=1), dtype=np.float64),
+    "mean_level": read_level,
+    "match_rate": find_matches,
+    "amplified_share": lambda arrays: np.asarray(
+        arrays["resulting_level"] > arrays["selected_level"], dtype=np.float64
+    ),
+    "taught": lambda arrays: np.asarray(arrays["taught_level"] != NO_LEVEL, dtype=np.float64),
+    "incidents": lambda arrays: np.asarray(arrays["incidents"], dtype=np.float64),
+}
+"""What every run measures stands in columns of its own."""
 
 
 def sum_up(happened: NDArray[np.bool_] | Curve) -> Curve:
@@ -122,6 +152,37 @@ def average_bins(values: NDArray[np.float64]) -> Curve:
     ends = make_edges(len(values))
     sums = np.concatenate([[0.0], np.cumsum(values)])[ends]
     return np.asarray(np.diff(sums) / np.diff(ends), dtype=np.float64)
+
+
+def make_learning_curve(values: Curve, measure: Measure) -> Curve:
+    """Return what a measure came to in every bin, shape (bins,); NaN in a bin without a number.
+
+    Sums are for `DECISIONS` decisions, whatever the width of a bin; shares are in percent.
+
+    >>> values = np.array([1.0, np.nan, 3.0, 5.0])
+    >>> make_learning_curve(values, Measure("speed", summed="max")).tolist()
+    [1.0, nan, 3.0, 5.0]
+    """
+    if measure.summed == "sum":
+        return DECISIONS * average_bins(np.nan_to_num(values))
+    there = np.isfinite(values)
+    if measure.summed == "max":
+        highest = np.fmax.reduceat(np.where(there, values, -np.inf), make_edges(len(values))[:-1])
+        return np.where(np.isfinite(highest), highest, np.nan)
+    shares = average_bins(there.astype(np.float64))
+    means = average_bins(np.where(there, values, 0.0)) / np.where(shares > 0, shares, np.nan)
+    return means * (100 if measure.unit == "%" else 1)
+
+
+def name_curve(measure: Measure) -> str:
+    """Return what a learning curve shows.
+
+    >>> name_curve(Measure("falls")), name_curve(Measure("speed", unit="m/s", summed="mean"))
+    ('falls per 1,000 decisions', 'speed, m/s')
+    """
+    if measure.summed != "sum":
+        return measure.heading
+    return f"{measure.heading} per {DECISIONS:,}{'' if measure.heading.endswith('decisions') else ' decisions'}"
 
 
 def describe_point(decisions: int) -> str:

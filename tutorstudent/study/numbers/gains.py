@@ -55,7 +55,7 @@ def find_gains(environment: Environment, traces: Traces) -> Gains | None:
     alone = {run.seed: run.goal for run in traces.by_variant.get(environment.reference, []) if run.goal is not None}
     if not alone:
         return None
-    harm = traces.measures.harm_total()
+    harm = traces.counted.harm_total()
     outcomes = {
         name: [
             Outcome(PER * float(run.totals[harm][-1]) / run.decisions, run.goal - alone[run.seed])
@@ -66,7 +66,7 @@ def find_gains(environment: Environment, traces: Traces) -> Gains | None:
     }
     rows = {name: _make_row(found) for name, found in outcomes.items() if found}
     mean = sum(alone.values()) / len(alone)
-    return Gains(traces.measures.goal, traces.measures.harm, environment.reference, mean, rows)
+    return Gains(traces.counted.goal, traces.counted.harm, environment.reference, mean, rows)
 
 
 def _make_row(outcomes: Sequence[Outcome]) -> Row:

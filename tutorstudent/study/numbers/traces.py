@@ -2,55 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import isclose
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.study.numbers.curves import (
-    DECISIONS,
     Curve,
-    average_bins,
+    count_by_decision,
     find_harm,
-    find_matches,
-    read_count,
+    make_learning_curve,
     read_event,
-    read_level,
     read_points,
+    read_series,
     sum_up,
     thin_out,
 )
+from tutorstudent.study.numbers.declared import choose_harm, find_measures
 from tutorstudent.study.plans.plan import Environment
 from tutorstudent.study.runs.results import Run, Study
 
-LEVEL = "amplification level"
-MATCH = "match rate, %"
 
-
-class Measures(NamedTuple):
+class Counted(NamedTuple):
     """What is counted in one environment."""
 
     counters: dict[str, str]
-    """What adds up decision by decision, and the situation whose entries that is; empty for an event of the world's."""
+    """What adds up decision by decision, and the situation whose entries that is; empty for any other measure."""
     harm: str
     """``collided`` or, where the world knows no collisions, ``violated``."""
     goal: str = ""
     """What is gained, of a run's summary; empty for nothing."""
+    measures: tuple[Measure, ...] = ()
+    """All of which some run recorded every decision."""
 
     def harm_total(self) -> str:
         """Return the title of the harm of a whole run, as in the tables."""
         return f"{self.harm} decisions"
-
-    def harm_rate(self) -> str:
-        """Return the title of the harm over the decisions."""
-        return f"{self.harm} decisions per {DECISIONS:,}"
-
-    def rates(self) -> list[str]:
-        """Return the titles of what is shown over the decisions as a rate."""
-        return [*(_name_rate(name) for name in self.counters), self.harm_rate(), LEVEL, MATCH]
 
 
 class Trace(NamedTuple):
@@ -63,7 +52,7 @@ class Trace(NamedTuple):
     totals: dict[str, Curve]
     """By title: how often it had happened, at `curves.thin_out` decisions; the last is the end."""
     rates: dict[str, Curve]
-    """By title, a value for each of `curves.make_edges`; what the run does not have is missing."""
+    """By measure, a value for each of `curves.make_edges`; what the run does not have is missing."""
     harm_places: NDArray[np.float64] | None
     """Where each harmed decision ended, shape (harmed, 2), metres; None if the world does not say."""
     contact_places: NDArray[np.float64] | None
@@ -73,7 +62,7 @@ class Trace(NamedTuple):
 class Traces(NamedTuple):
     """All runs of one environment."""
 
-    measures: Measures
+    counted: Counted
     by_variant: dict[str, list[Trace]]
     """By seed."""
     firsts: dict[str, Arrays]
@@ -92,10 +81,10 @@ class Traces(NamedTuple):
             for name, found in self.by_variant.items()
         }
 
-    def rates(self, title: str) -> dict[str, list[Curve]]:
-        """Return one measure of every run that has it, as a rate."""
+    def rates(self, measure: Measure) -> dict[str, list[Curve]]:
+        """Return the learning curve of every run that has one."""
         return {
-            name: [trace.rates[title] for trace in found if title in trace.rates]
+            name: [trace.rates[measure.name] for trace in found if measure.name in trace.rates]
             for name, found in self.by_variant.items()
         }
 
@@ -103,57 +92,42 @@ class Traces(NamedTuple):
 def read_traces(study: Study, environment: Environment) -> Traces:
     """Read every run of an environment."""
     runs = {variant.name: study.of(environment.name, variant.name) for variant in environment.variants}
-    every = [run for found in runs.values() for run in found]
-    counters = {name: into for name, into in environment.counters().items() if into or _adds_up(name, every)}
-    measures = Measures(counters, _name_harm(every), study.plan.goal)
+    counted = _find_counted(study, environment)
     by_variant: dict[str, list[Trace]] = {}
     firsts = {}
     for name, found in runs.items():
         by_variant[name] = []
         for run in found:
             arrays = run.arrays()
-            by_variant[name].append(_make_trace(run, arrays, measures))
+            by_variant[name].append(_make_trace(run, arrays, counted))
             if run.seed == study.plan.seeds[0]:
                 firsts[name] = arrays
-    return Traces(measures, by_variant, firsts)
+    recorded = {name for traces in by_variant.values() for trace in traces for name in trace.rates}
+    there = tuple(measure for measure in counted.measures if measure.name in recorded)
+    return Traces(counted._replace(measures=there), by_variant, firsts)
 
 
-def _name_harm(runs: Sequence[Run]) -> str:
-    return "collided" if any("collided" in run.summary for run in runs) else "violated"
+def _find_counted(study: Study, environment: Environment) -> Counted:
+    measures = find_measures(environment, study.runs)
+    sums = [measure.name for measure in measures if measure.summed == "sum"]
+    counters = {name: situation for name, situation in environment.counters().items() if situation or name in sums}
+    return Counted(counters, choose_harm(measures).name, study.plan.goal, tuple(measures))
 
 
-def _adds_up(name: str, runs: Sequence[Run]) -> bool:
-    """Return whether a number of the summaries is the sum of an event, and not its last, largest or mean value."""
-    totals = ((run.summary[name], read_count(run.arrays(), name, "")) for run in runs if name in run.summary)
-    summed, values = next(totals, (0.0, None))
-    return values is not None and isclose(summed, float(values.sum()), rel_tol=1e-6)
-
-
-def _name_rate(name: str) -> str:
-    return f"{name} per {DECISIONS:,} decisions"
-
-
-def _make_trace(run: Run, arrays: Arrays, measures: Measures) -> Trace:
-    harm = find_harm(arrays)
-    found = {name: read_count(arrays, name, situation) for name, situation in measures.counters.items()}
+def _make_trace(run: Run, arrays: Arrays, counted: Counted) -> Trace:
+    harm, situations = find_harm(arrays), counted.counters
+    found = {name: count_by_decision(arrays, name, situation) for name, situation in situations.items()}
     happened = {name: values for name, values in found.items() if values is not None}
     at = thin_out(len(harm))
-    totals = {name: sum_up(which)[at] for name, which in (happened | {measures.harm_total(): harm}).items()}
-    rates = {_name_rate(name): DECISIONS * average_bins(values) for name, values in happened.items()}
-    rates |= {
-        measures.harm_rate(): DECISIONS * average_bins(harm.astype(float)),
-        LEVEL: average_bins(read_level(arrays)),
-    }
-    match = find_matches(arrays)
-    if match is not None:
-        rates[MATCH] = 100 * average_bins(match.astype(float))
+    totals = {name: sum_up(which)[at] for name, which in (happened | {counted.harm_total(): harm}).items()}
+    numbers = {item: happened.get(item.name, read_series(arrays, item.name)) for item in counted.measures}
     where, contacts = read_points(arrays), read_event(arrays, "contacts")
     return Trace(
         run.seed,
         len(harm),
-        run.summary.get(measures.goal),
+        run.summary.get(counted.goal),
         totals,
-        rates,
+        {item.name: make_learning_curve(values, item) for item, values in numbers.items() if values is not None},
         None if where is None else where[harm],
         None if where is None or contacts is None else where[contacts > 0],
     )

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
+from tutorstudent.study.numbers.declared import choose_harm, find_measures
 from tutorstudent.study.numbers.intervals import Interval
-from tutorstudent.study.numbers.measures import DECISIONS, PER, Measure, find_harm_measure, measure_per_decisions
 from tutorstudent.study.numbers.pairs import Difference, make_pairs
+from tutorstudent.study.numbers.quantities import DECISIONS, Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 
@@ -42,10 +43,9 @@ class Judgement(NamedTuple):
     verdict: Verdict
 
 
-def make_harm_rate(study: Study, environment: Environment) -> Measure:
+def make_harm_rate(study: Study, environment: Environment) -> Quantity:
     """Return what is judged."""
-    counted = find_harm_measure([run for run in study.runs if run.environment == environment.name])
-    return measure_per_decisions(counted.title, counted.key, better=-1)
+    return Quantity(choose_harm(find_measures(environment, study.runs)), DECISIONS)
 
 
 def judge_variants(study: Study, environment: Environment, margin: float = MARGIN) -> list[Judgement]:
@@ -66,7 +66,7 @@ def judge_variants(study: Study, environment: Environment, margin: float = MARGI
 
 
 def _judge(
-    variant: Variant, runs: Sequence[Run], alone: Sequence[Run], measure: Measure, margin: float
+    variant: Variant, runs: Sequence[Run], alone: Sequence[Run], measure: Quantity, margin: float
 ) -> Judgement | None:
     ours = measure.read_by_seed(runs)
     if not ours:
@@ -75,7 +75,7 @@ def _judge(
     if pairs is None:
         return Judgement(variant.name, variant.control, mean, None, Verdict.UNDECIDED)
     difference = pairs.difference(ONE_SIDED)
-    decisions = sum(run.summary[DECISIONS] for run in runs if run.seed in pairs.seeds)
+    decisions = sum(run.summary[DECISIONS.key] for run in runs if run.seed in pairs.seeds)
     return Judgement(
         variant.name, variant.control, mean, difference, reach_verdict(difference.interval, decisions, margin)
     )
@@ -92,7 +92,7 @@ def reach_verdict(interval: Interval | None, decisions: float, margin: float = M
     >>> str(reach_verdict(Interval(-2.0, 4.0), 30_000)), str(reach_verdict(Interval(8.0, 12.0), 30_000))
     ('not worse', 'undecided')
     """
-    if interval is None or decisions * margin < RULE_OF_THREE * PER:
+    if interval is None or decisions * margin < RULE_OF_THREE * DECISIONS.amount:
         return Verdict.UNDECIDED
     if interval.high < margin:
         return Verdict.NOT_WORSE

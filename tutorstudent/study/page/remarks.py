@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 from collections.abc import Iterator
 from pathlib import Path
 
-from tutorstudent.core.running.observers import Tally
+from tutorstudent.core.running.observers import TALLIED
 from tutorstudent.core.words.errors import list_names
-from tutorstudent.study.numbers.measures import Measure
+from tutorstudent.study.numbers.declared import NO_MEASURES
 from tutorstudent.study.plans.constant_level import BEST
 from tutorstudent.study.plans.controls import CONSTANT
 from tutorstudent.study.plans.goals import UNBOUNDED
@@ -17,7 +18,7 @@ from tutorstudent.study.runs.results import Study
 from tutorstudent.study.tables.cells import count
 
 OWN_OBSERVER = "count it with an observer of your own (ts.Entries, docs/guide/write-an-observer.md)"
-CONDUCT = {*Tally().summary(), "match_rate", "amplified_share"}
+CONDUCT = {*NO_MEASURES[:2], *(measure.name for measure in TALLIED)}
 """Numbers of every run that nobody drives for."""
 
 
@@ -85,7 +86,7 @@ def _remark_on_levels(study: Study, environment: Environment) -> Iterator[str]:
 
 def _remark_on_runs(study: Study, environment: Environment) -> Iterator[str]:
     goal, runs = study.plan.goal, [run for run in study.runs if run.environment == environment.name]
-    values = {value for run in runs if (value := Measure(goal, goal).read(run.summary)) is not None}
+    values = {run.summary[goal] for run in runs if math.isfinite(run.summary.get(goal, math.nan))}
     if len(values) != 1 or len(runs) < 2:
         return
     situation = environment.counters().get(goal)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from tutorstudent.study.numbers.comparisons import make_families, write_differences
-from tutorstudent.study.page.page import make_page
+from tutorstudent.study.page.document import make_page
 from tutorstudent.study.page.remarks import describe_goal, make_remarks
 from tutorstudent.study.plans.planfile import load_plan
 from tutorstudent.study.runs.results import Study, read_study, write_csv

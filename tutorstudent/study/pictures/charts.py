@@ -22,7 +22,7 @@ class Axis(NamedTuple):
     """One scale, the same for all charts of a row."""
 
     limit: float
-    """It reaches from 0 to here."""
+    """It reaches from 0, or from what is below, to here."""
     ticks: tuple[tuple[float, str], ...]
     """Values and how they are written."""
     share: Callable[[Curve], Curve]
@@ -39,19 +39,26 @@ def make_decision_axis(decisions: float) -> Axis:
     return Axis(decisions, labelled, lambda values: values / decisions)
 
 
-def make_value_axis(highest: Sequence[float]) -> Axis:
-    """Return a scale for curves with these highest values: linear, or logarithmic where a few are far above."""
-    top = max([1.0, *highest])
-    limit = top * 1.04
-    if is_long_tailed(highest):
+def make_value_axis(highest: Sequence[float], lowest: float = 0.0, least: float = 1.0) -> Axis:
+    """Return a scale for curves: linear, or logarithmic where a few are far above the rest.
+
+    Args:
+        highest: Highest value of each curve.
+        lowest: Lowest of all curves; the scale begins at 0 or below.
+        least: The scale reaches at least so far, so that small values look small.
+    """
+    top, bottom = max([least, *highest]), min(0.0, lowest)
+    limit = top + 0.04 * (top - bottom)
+    if is_long_tailed(highest) and not bottom:
         return Axis(
             limit,
             _make_ticks(make_long_ticks(top, (5, 10))),
             lambda values: find_long_share(values, limit),
             LONG_LABEL,
         )
-    ticks = MaxNLocator(5, integer=True, steps=STEPS).tick_values(0, top)
-    return Axis(limit, _make_ticks([tick for tick in ticks if 0 <= tick <= limit]), lambda values: values / limit)
+    ticks = MaxNLocator(5, integer=least >= 1, steps=STEPS).tick_values(bottom, top)
+    labelled = _make_ticks([tick for tick in ticks if bottom <= tick <= limit])
+    return Axis(limit, labelled, lambda values: (values - bottom) / (limit - bottom))
 
 
 def _make_ticks(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
@@ -73,8 +80,11 @@ class Chart:
         self._curves: list[str] = []
 
     def add_curve(self, at: Curve, values: Curve, kind: str, colour: str) -> None:
-        """Add a curve; `kind` is its class in the style sheet, `colour` a CSS colour."""
-        xs, ys = self._x(at), self._y(values)
+        """Add a curve, points that are NaN left out; `kind` is its class in the style sheet, `colour` a CSS one."""
+        there = np.isfinite(values)
+        if not there.any():
+            return
+        xs, ys = self._x(at[there]), self._y(values[there])
         points = "L".join(f"{x:.4g} {y:.4g}" for x, y in zip(xs, ys, strict=True))
         self._curves.append(f'<path class="{kind}" style="stroke:{colour}" d="M{points}"/>')
 

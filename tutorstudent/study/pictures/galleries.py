@@ -8,8 +8,9 @@ from html import escape
 from typing import NamedTuple
 
 from tutorstudent.core.roles.world import Sketch
-from tutorstudent.study.numbers.curves import describe_point, make_middles, thin_out
-from tutorstudent.study.numbers.traces import MATCH, Traces
+from tutorstudent.core.words.measures import Measure
+from tutorstudent.study.numbers.curves import describe_point, make_middles, name_curve, thin_out
+from tutorstudent.study.numbers.traces import Traces
 from tutorstudent.study.pictures.film import Film, make_film
 from tutorstudent.study.pictures.harms import draw_harm_map
 from tutorstudent.study.pictures.maps import draw_way_map, list_level_colours
@@ -37,18 +38,17 @@ def make_gallery(gallery: Gallery) -> str:
     return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{figures}</div>'
 
 
-def make_rate_galleries(
-    environment: Environment, traces: Traces, decisions: int, palette: Palette
-) -> Iterable[Gallery]:
-    """Yield a gallery for each rate: the counters, the harm, the level, and how often the student named the kind."""
-    covered = describe_point(decisions)
-    for title in traces.measures.rates():
-        bundle = Bundle(
-            title, make_middles(decisions), f"In the last {covered}", traces.rates(title), environment.reference
-        )
-        about = f" {escape(NAMING)}" if title == MATCH else ""
-        note = f"Each point covers {covered}. {_make_lines(environment, bundle)}{about}"
-        yield Gallery(_capitalise(title), note, "film", draw_panels(bundle, palette))
+def rate_gallery(
+    environment: Environment, traces: Traces, decisions: int, palette: Palette, measure: Measure
+) -> Gallery:
+    """Return the learning curves of one measure."""
+    covered, title = describe_point(decisions), name_curve(measure)
+    is_count = measure.summed == "sum" and not measure.unit
+    last, curves = f"In the last {covered}", traces.rates(measure)
+    bundle = Bundle(title, make_middles(decisions), last, curves, environment.reference, is_count)
+    about = f" {escape(_capitalise(measure.description))}." if measure.description else ""
+    note = f"Each point covers {covered}. {_make_lines(environment, bundle)}{about}"
+    return Gallery(_capitalise(title), note, "film", draw_panels(bundle, palette))
 
 
 def make_total_galleries(
@@ -56,14 +56,9 @@ def make_total_galleries(
 ) -> Iterable[Gallery]:
     """Yield a gallery for each thing that is counted."""
     at = thin_out(decisions) + 1.0
-    for title in (*traces.measures.counters, traces.measures.harm_total()):
+    for title in (*traces.counted.counters, traces.counted.harm_total()):
         bundle = Bundle(title, at, "At the end of each run", traces.totals(title), environment.reference)
         yield Gallery(_capitalise(title), _make_lines(environment, bundle), "film", draw_panels(bundle, palette))
-
-
-NAMING = (
-    "Share of the decisions in which the student named the tutor's kind of action; only of students that name kinds."
-)
 
 
 def _make_lines(environment: Environment, bundle: Bundle) -> str:
@@ -96,9 +91,9 @@ def make_harm_gallery(traces: Traces, sketch: Sketch, palette: Palette) -> Galle
         draw_harm_map(name, sketch, found, traces.firsts.get(name), palette)
         for name, found in traces.by_variant.items()
     ]
-    collided = traces.measures.harm == "collided"
+    collided = traces.counted.harm == "collided"
     note = (
-        f"Every {escape(traces.measures.harm)} decision of all runs is a dot where the robot stood then"
+        f"Every {escape(traces.counted.harm)} decision of all runs is a dot where the robot stood then"
         f"{', a ring where a contact began' if collided else ''}; the more there are, the fainter each. "
         "In the background the way of the first run; bodies stand where they begin."
     )
@@ -111,11 +106,11 @@ def make_film_gallery(environment: Environment, traces: Traces, sketch: Sketch, 
     name = _find_first_learner(environment)
     if name not in traces.firsts:
         return Gallery("Film", "", "cinema", [])
-    title, measures = f"{name}, seed {seed}", traces.measures
-    taken = make_film(title, sketch, traces.firsts[name], measures.counters, measures.harm)
+    title, counted = f"{name}, seed {seed}", traces.counted
+    taken = make_film(title, sketch, traces.firsts[name], counted.counters, counted.harm)
     if taken is None:
         return Gallery("Film", "", "cinema", [])
-    return Gallery("Film", _make_caption(taken, title, measures.harm), "cinema", [_make_figure(taken, title)])
+    return Gallery("Film", _make_caption(taken, title, counted.harm), "cinema", [_make_figure(taken, title)])
 
 
 def _find_first_learner(environment: Environment) -> str:

@@ -12,9 +12,9 @@ from tutorstudent.study.pictures.galleries import (
     Gallery,
     make_film_gallery,
     make_harm_gallery,
-    make_rate_galleries,
     make_total_galleries,
     make_way_gallery,
+    rate_gallery,
 )
 from tutorstudent.study.pictures.palette import Palette
 from tutorstudent.study.pictures.scatter import draw_scatter
@@ -31,6 +31,8 @@ class Pictures(NamedTuple):
     details: list[Gallery]
     totals: list[Gallery]
     """The learning curves once more, summed up."""
+    others: list[Gallery]
+    """The learning curves of what is a detail."""
 
 
 def draw_pictures(study: Study, environment: Environment, palette: Palette) -> Pictures:
@@ -38,18 +40,20 @@ def draw_pictures(study: Study, environment: Environment, palette: Palette) -> P
     traces = read_traces(study, environment)
     sketch = load_sketch(study.folder / "sketches" / f"{environment.name}.json")
     decisions, seed = study.plan.decisions, study.plan.seeds[0]
+    rates = {item: rate_gallery(environment, traces, decisions, palette, item) for item in traces.counted.measures}
     return Pictures(
         _keep_filled([_make_gain_gallery(environment, traces, palette)]),
         _keep_filled(
             [
                 _make_strip_gallery(traces, palette),
-                *make_rate_galleries(environment, traces, decisions, palette),
+                *(gallery for measure, gallery in rates.items() if not measure.detail),
                 make_way_gallery(environment, traces, sketch, seed, palette),
                 make_harm_gallery(traces, sketch, palette),
                 make_film_gallery(environment, traces, sketch, seed),
             ]
         ),
         _keep_filled(make_total_galleries(environment, traces, decisions, palette)),
+        _keep_filled(gallery for measure, gallery in rates.items() if measure.detail),
     )
 
 
@@ -71,13 +75,13 @@ def _make_gain_gallery(environment: Environment, traces: Traces, palette: Palett
 
 
 def _make_strip_gallery(traces: Traces, palette: Palette) -> Gallery:
-    titles = [*traces.measures.counters, traces.measures.harm_total()]
+    titles = [*traces.counted.counters, traces.counted.harm_total()]
     ends = {
         title: {name: [float(curve[-1]) for curve in found] for name, found in traces.totals(title).items()}
         for title in titles
     }
     goals = traces.goals()
-    if traces.measures.goal not in ends and any(goals.values()):
-        ends = {traces.measures.goal: goals} | ends
+    if traces.counted.goal not in ends and any(goals.values()):
+        ends = {traces.counted.goal: goals} | ends
     drawn = [draw_strip(title, values, palette) for title, values in ends.items()]
     return Gallery("Every run", "A dot is a run, a bar the median.", "pair", drawn)

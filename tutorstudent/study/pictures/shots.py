@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from tutorstudent.core.roles.world import Point, Sketch
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.study.numbers.curves import Curve, find_harm, read_count, read_event, read_points, sum_up
+from tutorstudent.study.numbers.curves import Curve, count_by_decision, find_harm, read_event, read_points, sum_up
 from tutorstudent.study.pictures.maps import COLOURED_LEVELS, list_level_colours
 from tutorstudent.study.pictures.palette import FLOOR, HARM, MAP_COLOURS, WALL
 
@@ -46,7 +46,7 @@ def make_shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str
     if where is None:
         return None
     scale, levels = list_level_colours(), np.minimum(arrays["resulting_level"], COLOURED_LEVELS)
-    found = {name: read_count(arrays, name, situation) for name, situation in counters.items()}
+    found = {name: count_by_decision(arrays, name, situation) for name, situation in counters.items()}
     counts = {name: sum_up(values) for name, values in found.items() if values is not None}
     hurt = find_harm(arrays)
     return Shot(

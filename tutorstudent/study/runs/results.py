@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tutorstudent.core.running.arrays import Arrays, load_arrays
+from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.measures import Measure
 from tutorstudent.study.plans.constant_level import BEST, Searched, load_searched, settle
 from tutorstudent.study.plans.constant_level import FOLDER as SEARCH
 from tutorstudent.study.plans.plan import Job, Plan
@@ -21,6 +23,17 @@ from tutorstudent.study.runs.timing import TIMING, Spent, load_timing, read_sitt
 RECORD = "run.json"
 DECISIONS = "decisions.npz"
 AGAIN = "go on with 'compare --resume' to run it again."
+DAMAGES = (
+    OSError,
+    ValueError,
+    KeyError,
+    TypeError,
+    AttributeError,
+    ContractError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What reading a damaged run ends in."""
 
 
 class Run(NamedTuple):
@@ -32,6 +45,8 @@ class Run(NamedTuple):
     summary: dict[str, float]
     """Every finite number that an observer summarized, and the share of decisions that were amplified."""
     folder: Path
+    measures: tuple[Measure, ...] = ()
+    """What its parts declared; empty in runs of earlier versions."""
 
     def arrays(self) -> Arrays:
         """Return every decision, as `tutorstudent.core.running.recorder.Recorder` kept it."""
@@ -110,12 +125,12 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
     if not (own / RECORD).exists():
         return Failure(job.environment, job.variant, job.seed, _find_problem(own))
     try:
-        summary = _read_summary(own)
+        summary, measures = _read_record(own)
         _check_decisions(own / DECISIONS)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile, zlib.error) as error:
+    except DAMAGES as error:
         problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
         return Failure(job.environment, job.variant, job.seed, problem)
-    return Run(job.environment, job.variant, job.seed, summary, own)
+    return Run(job.environment, job.variant, job.seed, summary, own, measures)
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
@@ -134,10 +149,11 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _read_summary(folder: Path) -> dict[str, float]:
+def _read_record(folder: Path) -> tuple[dict[str, float], tuple[Measure, ...]]:
     data = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
-    return summary | {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
+    amplified = {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
+    return summary | amplified, tuple(Measure(**item) for item in data.get("measures", ()))
 
 
 def _check_decisions(path: Path) -> None:

@@ -82,20 +82,6 @@ def highest(values: Sequence[float]) -> str:
     return count(float(max(values)))
 
 
-def total(values: Sequence[float]) -> str:
-    """The sum over all runs."""
-    return count(float(sum(values)))
-
-
-def percent(values: Sequence[float]) -> str:
-    """Mean of shares.
-
-    >>> percent([0.25, 0.75])
-    '50 %'
-    """
-    return f"{100 * spread(values).mean:.0f} %"
-
-
 def add_sign(value: float) -> str:
     """Return a number with its sign.
 
@@ -130,13 +116,15 @@ def correlation(r: float | None) -> str:
     return NOTHING if r is None else f"{r:.2f}"
 
 
-def improvement(found: Improvement) -> str:
-    """Share of pairs that were better, with its interval.
+def improvement(found: Improvement | None) -> str:
+    """Share of pairs that were better, with its interval; a dash where neither direction is.
 
     >>> from tutorstudent.study.numbers.intervals import Interval
     >>> improvement(Improvement(0.95, Interval(0.655, 1.0)))
     '95 % [66, 100]'
     """
+    if found is None:
+        return NOTHING
     low, high = found.interval
     return f"{100 * found.share:.0f} % [{100 * low:.0f}, {100 * high:.0f}]"
 

@@ -1,11 +1,12 @@
-"""The columns of the tables."""
+"""The columns of the tables: one for each measure, in the table and the form that its declaration asks for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from tutorstudent.study.numbers.measures import Measure, measure_per_time, measure_per_way
+from tutorstudent.core.words.measures import Measure
+from tutorstudent.study.numbers.quantities import TIME, WAY, Quantity
 from tutorstudent.study.tables.cells import (
     Cell,
     highest,
@@ -14,80 +15,73 @@ from tutorstudent.study.tables.cells import (
     mean_sd_median,
     mean_sd_median_iqm,
     mean_sd_median_worst,
-    percent,
-    total,
 )
+
+TITLES = {"more": "What was found", "less": "What it cost", None: "What the parts did"}
+"""The table of a measure, by what is better."""
+RATES = "By way and by time"
 
 
 class Column(NamedTuple):
     """A column of a table: a number of every run, and how the runs of a row are shown."""
 
-    measure: Measure
+    quantity: Quantity
     cell: Cell
-    compared: bool = False
-    """Beside it stands the paired difference to the tutor alone."""
+
+    @property
+    def title(self) -> str:
+        """The heading; says what is shown where it is not the spread over runs."""
+        return self.quantity.title + (" (max)" if self.cell is highest else "")
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether the paired difference to the tutor alone stands beside it."""
+        return self.quantity.better != 0 and self.quantity.over is None
 
 
-def make_found_columns(counters: Iterable[str]) -> list[Column]:
-    """Return the columns about what was found: what the tutor counts, and what the world does."""
-    counted = [Column(Measure(name, name), mean_sd_median_iqm, compared=True) for name in counters]
-    others = [
-        _make_column("encounters", "encounters", mean_sd_median),
-        _make_column("distance, m", "distance_m", mean_sd_median),
-    ]
-    return [*counted, *_leave_out(counted, others)]
+def make_columns(measures: Sequence[Measure]) -> dict[str, list[Column]]:
+    """Return the columns of each table by its title: the sums of runs, then what tells more from faster."""
+    found = {
+        title: [make_column(item) for item in measures if item.better == better] for better, title in TITLES.items()
+    }
+    return found | {RATES: list(make_rate_columns(measures))}
 
 
-def make_cost_columns() -> list[Column]:
-    """Return the columns about harm."""
-    return [
-        Column(Measure("collided decisions", "collided"), mean_sd_median_worst, compared=True),
-        _make_column("contacts", "contacts", mean_sd_median_worst),
-        _make_column("violated, as the learner saw it", "violated", mean_sd_median_worst),
-        _make_column("hardest contact, m/s (max)", "contact_speed_mps", highest),
-        _make_column("longest stall, decisions (max)", "longest_stall", highest),
-    ]
+def make_column(measure: Measure) -> Column:
+    """Return the column of a measure: its spread over runs, with the worst run where that is what matters."""
+    if measure.better == "more":
+        return Column(Quantity(measure), mean_sd_median_iqm)
+    if measure.summed == "max":
+        return Column(Quantity(measure), highest)
+    if measure.better == "less":
+        return Column(Quantity(measure), mean_sd_median_worst)
+    return Column(Quantity(measure), mean_sd_median)
 
 
-def make_rate_columns(counters: Iterable[str]) -> list[Column]:
-    """Return the columns that tell more of everything from doing something better: by way and by time."""
-    counted = [*((name, name) for name in counters), *HARMS]
-    made = [per(title, key) for title, key in dict(counted).items() for per in (measure_per_way, measure_per_time)]
-    return [Column(measure, mean_sd) for measure in made if measure.key != measure.over]
+def make_rate_columns(measures: Iterable[Measure]) -> Iterable[Column]:
+    """Yield the columns by way and by time of every sum of which more or less is better, but for details."""
+    for measure in measures:
+        if measure.better and measure.summed == "sum" and not measure.detail:
+            yield from (Column(Quantity(measure, over), mean_sd) for over in (WAY, TIME) if over.key != measure.name)
 
 
-HARMS = (("collided decisions", "collided"), ("contacts", "contacts"), ("violated", "violated"))
+def make_digest_columns(measures: Iterable[Measure]) -> list[Column]:
+    """Return the columns that a narrow terminal shows: what is no detail, in short cells."""
+    shown = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
+    short: dict[Cell, Cell] = {
+        mean_sd_median_iqm: mean_sd,
+        mean_sd_median_worst: mean_sd,
+        mean_sd_median: mean,
+        highest: highest,
+    }
+    return [made._replace(cell=short[made.cell]) for made in map(make_column, shown)]
 
 
-def make_conduct_columns() -> list[Column]:
-    """Return the columns about what the parts did."""
-    return [
-        _make_column("simulated time, s (mean)", "time_s", mean),
-        _make_column("named the tutor's kind (mean)", "match_rate", percent),
-        _make_column("raised by the amplifier (mean)", "amplified_share", percent),
-        _make_column("mean level", "mean_level", mean),
-        _make_column("incidents (sum)", "incidents", total),
-    ]
+def explain(columns: Iterable[Column]) -> str:
+    """Return what the columns count, those that say it, each measure once.
 
-
-def make_digest_columns(counters: Iterable[str]) -> list[Column]:
-    """Return the few columns that fit a narrow terminal."""
-    counted = [_make_column(name, name, mean_sd) for name in counters]
-    others = [
-        _make_column("collided", "collided", mean_sd),
-        _make_column("contacts", "contacts", mean_sd),
-        _make_column("way, m", "distance_m", mean),
-        _make_column("stall", "longest_stall", highest),
-        _make_column("level", "mean_level", mean),
-    ]
-    return [*counted, *_leave_out(counted, others)]
-
-
-def _leave_out(there: Iterable[Column], others: Iterable[Column]) -> list[Column]:
-    """Return the other columns but for those whose number stands there already."""
-    keys = [column.measure.key for column in there]
-    return [column for column in others if column.measure.key not in keys]
-
-
-def _make_column(title: str, key: str, cell: Cell) -> Column:
-    return Column(Measure(title, key), cell)
+    >>> explain([Column(Quantity(Measure("falls", description="how often it fell")), mean_sd)])
+    'falls: how often it fell.'
+    """
+    measures = dict.fromkeys(column.quantity.measure for column in columns)
+    return " ".join(f"{item.title}: {item.description}." for item in measures if item.description)

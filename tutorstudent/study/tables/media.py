@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Iterator, Mapping
 from html import escape
 
+from rich.console import Group
 from rich.table import Table as RichTable
 from rich.text import Text
 
@@ -37,15 +39,48 @@ def make_html(table: Table, colours: Mapping[str, str]) -> str:
     )
 
 
-def make_terminal_table(table: Table) -> RichTable:
-    """Return a table for the terminal; controls are set in italics."""
+GAP = 2
+"""Between columns of the terminal's tables, letters."""
+
+
+def make_terminal_table(table: Table, width: int = 80) -> Group:
+    """Return a table for a terminal so many letters wide; controls are set in italics.
+
+    A table that is too wide becomes several, one below the other, each with the names of its rows.
+    """
+    titles = [
+        textwrap.fill(title, _find_width(table, i), break_long_words=False, break_on_hyphens=False)
+        for i, title in enumerate(table.header)
+    ]
+    widths = [max(_find_width(table, i), *map(len, title.split("\n"))) + GAP for i, title in enumerate(titles)]
+    room = width - GAP - max((len(row.name) for row in table.rows), default=0)
+    return Group(*(_make_part(table, titles, part) for part in _split_columns(widths, room)))
+
+
+def _find_width(table: Table, column: int) -> int:
+    return max((len(row.cells[column]) for row in table.rows), default=1)
+
+
+def _split_columns(widths: list[int], room: int) -> Iterator[list[int]]:
+    """Yield the columns that stand beside each other, as many as there is room for."""
+    part: list[int] = []
+    for column, width in enumerate(widths):
+        if part and sum(widths[i] for i in part) + width > room:
+            yield part
+            part = []
+        part.append(column)
+    yield part
+
+
+def _make_part(table: Table, titles: list[str], columns: list[int]) -> RichTable:
+    title = table.title if 0 in columns or not columns else None
     drawn = RichTable(
-        title=table.title, title_justify="left", title_style="bold", box=None, pad_edge=False, padding=(0, 2, 0, 0)
+        title=title, title_justify="left", title_style="bold", box=None, pad_edge=False, padding=(0, GAP, 0, 0)
     )
     drawn.add_column("", no_wrap=True)
-    for title in table.header:
-        drawn.add_column(title, justify="right", vertical="bottom")
+    for column in columns:
+        drawn.add_column(Text(titles[column]), justify="right", vertical="bottom")
     for row in table.rows:
         name = Text(row.name, style="italic" if row.control else "bold")
-        drawn.add_row(name, *(Text(cell) for cell in row.cells))
+        drawn.add_row(name, *(Text(row.cells[column]) for column in columns))
     return drawn

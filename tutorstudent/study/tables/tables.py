@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tutorstudent.study.numbers.measures import Measure
+from tutorstudent.study.numbers.declared import find_measures
 from tutorstudent.study.numbers.pairs import make_pairs
+from tutorstudent.study.numbers.quantities import Quantity
 from tutorstudent.study.plans.plan import Environment, Variant
 from tutorstudent.study.runs.results import Run, Study
 from tutorstudent.study.tables.cells import NOTHING, difference
-from tutorstudent.study.tables.columns import (
-    Column,
-    make_conduct_columns,
-    make_cost_columns,
-    make_digest_columns,
-    make_found_columns,
-    make_rate_columns,
-)
+from tutorstudent.study.tables.columns import RATES, Column, explain, make_columns, make_digest_columns
 from tutorstudent.study.tables.difference_tables import make_difference_tables, make_verdict_tables
 from tutorstudent.study.tables.table import Row, Table
 
@@ -34,53 +28,47 @@ INTERVALS = (
 
 def make_tables(study: Study, environment: Environment) -> list[Table]:
     """Return what was found, what it cost and what the parts did, then what is compared to what."""
-    counters = environment.counters()
     described = [
-        _make_table(study, environment, "What was found", make_found_columns(counters)),
-        _make_table(study, environment, "What it cost", make_cost_columns()),
-        _make_table(study, environment, "By way and by time", make_rate_columns(counters)),
-        _make_table(study, environment, "What the parts did", make_conduct_columns()),
+        _make_table(study, environment, title, columns, note="" if title == RATES else explain(columns))
+        for title, columns in _make_columns(study, environment).items()
+        if columns
     ]
-    compared = [*make_verdict_tables(study, environment), *make_difference_tables(study, environment)]
-    return [table for table in described if len(table.header) > 1] + compared
+    return [*described, *make_verdict_tables(study, environment), *make_difference_tables(study, environment)]
 
 
 def make_digest_table(study: Study, environment: Environment) -> Table:
     """Return the one table that a terminal shows; the others stand in the page and in table.md."""
+    columns = make_digest_columns(find_measures(environment, study.runs))
     title = f"{len(study.plan.seeds)} runs each, mean ± standard deviation"
-    table = _make_table(study, environment, title, make_digest_columns(environment.counters()))
-    return Table(title, table.header[1:], tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
+    plain = environment._replace(reference="")  # differences stand in the other tables
+    table = _make_table(study, plain, title, columns, explain(columns))
+    return table._replace(header=table.header[1:], rows=tuple(row._replace(cells=row.cells[1:]) for row in table.rows))
 
 
 def make_runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
-    counters = environment.counters()
-    columns = [
-        *make_found_columns(counters),
-        *make_cost_columns(),
-        *make_rate_columns(counters),
-        *make_conduct_columns(),
-    ]
-    there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column.measure for column in columns if column.measure.is_known(there)]
+    shown = [column.quantity for columns in _make_columns(study, environment).values() for column in columns]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_make_run_cell(run, measure) for measure in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_make_number(run, quantity) for quantity in shown)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
-    header = ("seed", *(measure.title.partition(" (")[0] for measure in shown))
-    return Table("Every run", header, tuple(rows))
+    return Table("Every run", ("seed", *(quantity.title for quantity in shown)), tuple(rows))
 
 
-def _make_table(study: Study, environment: Environment, title: str, columns: Sequence[Column]) -> Table:
+def _make_columns(study: Study, environment: Environment) -> dict[str, list[Column]]:
+    """Return the columns of each table, without those that no run has."""
     there = [run for run in study.runs if run.environment == environment.name]
-    shown = [column for column in columns if column.measure.is_known(there)]
+    found = make_columns(find_measures(environment, there))
+    return {title: [item for item in columns if item.quantity.is_known(there)] for title, columns in found.items()}
+
+
+def _make_table(study: Study, environment: Environment, title: str, columns: Sequence[Column], note: str) -> Table:
     header = ["runs"]
-    for column in shown:
-        is_compared = column.compared and environment.reference
-        header += [column.measure.title, "difference"] if is_compared else [column.measure.title]
-    rows = [_make_row(study, environment, variant, shown) for variant in environment.variants]
-    return Table(title, tuple(header), tuple(rows))
+    for column in columns:
+        header += [column.title, "difference"] if column.is_compared and environment.reference else [column.title]
+    rows = [_make_row(study, environment, variant, columns) for variant in environment.variants]
+    return Table(title, tuple(header), tuple(rows), note)
 
 
 def _make_row(study: Study, environment: Environment, variant: Variant, columns: Sequence[Column]) -> Row:
@@ -88,9 +76,9 @@ def _make_row(study: Study, environment: Environment, variant: Variant, columns:
     reference = study.of(environment.name, environment.reference)
     for column in columns:
         cells.append(_make_cell(runs, column))
-        if column.compared and environment.reference:
+        if column.is_compared and environment.reference:
             itself = variant.name == environment.reference
-            cells.append(NOTHING if itself else _make_difference(runs, reference, column.measure))
+            cells.append(NOTHING if itself else _make_difference(runs, reference, column.quantity))
     return Row(variant.name, variant.control, tuple(cells))
 
 
@@ -103,16 +91,16 @@ def _count_runs(study: Study, environment: Environment, variant: str) -> str:
 
 
 def _make_cell(runs: Sequence[Run], column: Column) -> str:
-    values = column.measure.read_by_seed(runs)
+    values = column.quantity.read_by_seed(runs)
     missing = f" ({len(values)} of {len(runs)} runs)" if 0 < len(values) < len(runs) else ""
     return column.cell(list(values.values())) + missing if values else NOTHING
 
 
-def _make_difference(runs: Sequence[Run], reference: Sequence[Run], measure: Measure) -> str:
-    pairs = make_pairs(measure.read_by_seed(runs), measure.read_by_seed(reference))
+def _make_difference(runs: Sequence[Run], reference: Sequence[Run], quantity: Quantity) -> str:
+    pairs = make_pairs(quantity.read_by_seed(runs), quantity.read_by_seed(reference))
     return difference(pairs.difference() if pairs else None)
 
 
-def _make_run_cell(run: Run, measure: Measure) -> str:
-    value = measure.read(run.summary)
+def _make_number(run: Run, quantity: Quantity) -> str:
+    value = quantity.of(run.summary)
     return NOTHING if value is None else f"{value:.6g}"

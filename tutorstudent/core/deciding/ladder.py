@@ -1,0 +1,105 @@
+"""How far each level would move this decision's action, as far as cap and factor allow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.deciding.rendering import measure_deviation, move_deviation
+from tutorstudent.core.roles.leaves import Change
+from tutorstudent.core.words.actions import Action, Group
+from tutorstudent.core.words.proposals import require_number
+from tutorstudent.core.words.turn import Fractions
+
+HIGHEST_LEVEL = 1000
+"""No level goes beyond it, even where a level moves nothing."""
+# 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant.
+ROUNDING = 1e-9
+
+
+class Ladder:
+    """What the levels of one decision move, as far as cap and factor allow; each level is measured once.
+
+    Fractions are taken to grow with the level. Every level that is returned was measured itself, so a change whose
+    fractions do not grow can lose amplification but never break a limit.
+    """
+
+    __slots__ = ("_allowed", "_groups", "_limits", "_measure", "_rungs", "_values", "limit")
+
+    def __init__(
+        self, measure: Callable[[int], Fractions], original: Action, groups: tuple[Group, ...], limits: Limits
+    ) -> None:
+        self._measure, self._groups, self._values, self._limits = measure, groups, original.__dict__, limits
+        self._allowed: list[float] = []
+        self._rungs: dict[int, Fractions | None] = {0: ()}
+        self.limit = ""
+        """What forbade the last level that was too high: ``cap``, ``factor`` or ``highest level``."""
+
+    def climb(self, level: int) -> int:
+        """Return the highest level up to `level` that cap and factor allow."""
+        if level > HIGHEST_LEVEL:
+            level, self.limit = HIGHEST_LEVEL, "highest level"
+        if self._allows(level) is not None:
+            return level
+        low, high = 0, level
+        while high - low > 1:
+            middle = (low + high) // 2
+            if self._allows(middle) is not None:
+                low = middle
+            else:
+                high = middle
+        return low
+
+    def fractions(self, level: int) -> Fractions:
+        """Return what a level moves that was climbed to."""
+        return self._rungs[level] or ()
+
+    def _allows(self, level: int) -> Fractions | None:
+        rungs = self._rungs
+        if level in rungs:
+            return rungs[level]
+        fractions: Fractions | None = self._measure(level)
+        if max(fractions or (0.0,)) > self._limits.cap + ROUNDING:
+            fractions, self.limit = None, "cap"
+        elif self._limits.factor is not None and self._exceeds(self._limits.factor, fractions or ()):
+            fractions, self.limit = None, "factor"
+        rungs[level] = fractions
+        return fractions
+
+    def _exceeds(self, factor: float, fractions: Fractions) -> bool:
+        values, groups = self._values, self._groups
+        if not self._allowed:
+            self._allowed = [factor * measure_deviation(group, values) + ROUNDING * group.scale for group in groups]
+        return any(
+            move_deviation(group, values, fraction) > allowed
+            for group, fraction, allowed in zip(groups, fractions, self._allowed, strict=True)
+        )
+
+
+def ask_change(change: Change, amount: float, sizes: Fractions, level: int) -> Fractions:
+    """Return what a level moves, as a change says.
+
+    Args:
+        change: The amplifier's.
+        amount: The amplifier's.
+        sizes: The tutor's own distance from neutral for each group, in units of its scale.
+        level: 1 or more.
+    """
+    amplification = level * amount
+    return tuple([require_fraction(change.fraction(amplification, size)) for size in sizes])
+
+
+def scale_fractions(fractions: Fractions, from_level: int, level: int) -> Fractions:
+    """Return what a level moves where `from_level` moved these fractions: the way down without asking a part."""
+    return tuple([fraction * level / from_level for fraction in fractions])
+
+
+def require_fraction(fraction: float) -> float:
+    """Return what a change returned as a plain float; ValueError if it is not finite or negative."""
+    if type(fraction) is float and 0.0 <= fraction < math.inf:
+        return fraction
+    plain = require_number(fraction)
+    if not 0 <= plain < math.inf:
+        raise ValueError(f"a change returned {plain}; a fraction is finite and not negative")
+    return plain
