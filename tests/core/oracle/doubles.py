@@ -122,7 +122,7 @@ class Stubborn(Engine[Any, Any, Any]):
 
     def __init__(self, **parts: Any) -> None:
         super().__init__(**parts)
-        self._grader.fall_back = self._go_on  # type: ignore[method-assign]
+        self._cycle._grader.fall_back = self._go_on  # type: ignore[method-assign]
 
     def _go_on(self, turn: Any) -> None:
         turn._selected = turn._resulting = GradedAction(_with(turn._original), 1, True)
@@ -149,10 +149,10 @@ class Modest(Engine[Any, Any, Any]):
 
     def propagate(self, state: Any) -> Any:
         action = super().propagate(state)
-        decision = self._turn._decision
+        decision = self._cycle.turn._decision
         if decision.resulting.level > 0:
             graded = decision.resulting._replace(level=decision.resulting.level - 1)
-            self._turn._decision = decision._replace(resulting=graded)
+            self._cycle.turn._decision = decision._replace(resulting=graded)
         return action
 
 
@@ -161,7 +161,7 @@ class Forger(Engine[Any, Any, Any]):
 
     def propagate(self, state: Any) -> Any:
         action = super().propagate(state)
-        turn, forged = self._turn, _with(action, **{next(iter(_shape(action).bounds)): 0.7071})
+        turn, forged = self._cycle.turn, _with(action, **{next(iter(_shape(action).bounds)): 0.7071})
         turn._action, turn._decision = forged, turn._decision._replace(executed=forged)
         return action
 
@@ -170,7 +170,7 @@ class Raising(Engine[Any, Any, Any]):
     """Teaches one level more than the evaluator's table says."""
 
     def evaluate(self, resulting_state: Any) -> Any:
-        turn = self._turn
+        turn = self._cycle.turn
         if turn is None:
             return super().evaluate(resulting_state)
         honest = turn._decision
@@ -194,7 +194,7 @@ class Late(Engine[Any, Any, Any]):
     """Teaches the resulting state instead of the previous one."""
 
     def evaluate(self, resulting_state: Any) -> Any:
-        turn: Any = self._turn
+        turn: Any = self._cycle.turn
         if turn is None:
             return super().evaluate(resulting_state)
         before = turn._decision.moment

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Generic
 
 from tutorstudent.core.deciding.checking import seal
 from tutorstudent.core.deciding.guard import Guard
@@ -17,7 +17,7 @@ from tutorstudent.core.words.turn import Turn
 UNKNOWN = "the executed level could not be told"
 
 
-class Corrector:
+class Corrector(Generic[StateT, ActionT]):
     """Writes into a turn what was really executed, with the level that it really reached."""
 
     def __init__(self, limiter: Limiter, guard: Guard) -> None:

@@ -12,8 +12,9 @@ from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from typing import Generic
 
-from tutorstudent.core.deciding.checking import check_records, copy_checked, renew_records, seal
+from tutorstudent.core.deciding.checking import copy_checked
 from tutorstudent.core.deciding.correcting import Corrector
+from tutorstudent.core.deciding.cycle import Cycle
 from tutorstudent.core.deciding.grading import Grader
 from tutorstudent.core.deciding.guard import Guard, OnIncident
 from tutorstudent.core.deciding.judging import Judge
@@ -21,12 +22,12 @@ from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.deciding.teaching import Teacher
 from tutorstudent.core.deciding.tutoring import TutorSeat
-from tutorstudent.core.deciding.wiring import check_failure_action, check_vocabulary, check_wiring
+from tutorstudent.core.deciding.wiring import check_conditions, check_failure_action, check_vocabulary, check_wiring
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Component, EnginePart, Learned, find_listeners
-from tutorstudent.core.words.actions import ActionT, rebuild
+from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import ProposalT, require_level
 from tutorstudent.core.words.records import Decision, Incident, StateT
@@ -72,20 +73,32 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         check_vocabulary(tutor)
         check_failure_action(tutor, on_tutor_failure)
         self._guard = Guard(on_incident)
-        self._judge = Judge(self.conditions, self._guard)
+        check_conditions(self.conditions)
         for slot, part in self.slots():
             part.bind(Binding(seed, slot, tutor.action))
         check_wiring(student, selector)
-        self._seat = TutorSeat(tutor, self._guard, on_tutor_failure)
-        self._limiter = Limiter(self.limits, amplifier)
-        self._grader = Grader(student, selector, amplifier, self._limiter, self._guard)
-        self._corrector = Corrector(self._limiter, self._guard)
-        self._teacher = Teacher(evaluator, student, self._guard)
-        self._listeners = [(part, self._guard.blame(slot)) for slot, part in find_listeners(self.slots())]
-        self.decisions = 0
-        self.last: Turn[StateT, ActionT] | None = None
+        limiter = Limiter(self.limits, amplifier)
+        self._cycle = Cycle(
+            TutorSeat(tutor, self._guard, on_tutor_failure),
+            Grader(student, selector, amplifier, limiter, self._guard),
+            limiter,
+            Judge(self.conditions, self._guard),
+            Teacher(evaluator, student, self._guard),
+            [(part, self._guard.blame(slot)) for slot, part in find_listeners(self.slots())],
+            self._guard,
+        )
+        self._corrector: Corrector[StateT, ActionT] = Corrector(limiter, self._guard)
+        self._turnstile = Turnstile()
+
+    @property
+    def decisions(self) -> int:
+        """How many decisions were made, over all trials."""
+        return self._cycle.decisions
+
+    @property
+    def last(self) -> Turn[StateT, ActionT] | None:
         """The newest decision whose outcome is known."""
-        self._turn: Turn[StateT, ActionT] | None = None
+        return self._cycle.last
 
     @property
     def incidents(self) -> deque[Incident]:
@@ -100,7 +113,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
     @property
     def pending(self) -> Decision[StateT, ActionT] | None:
         """The decision that waits for its outcome."""
-        return self._turn.decision if self._turn else None
+        return self._cycle.turn.decision if self._cycle.turn else None
 
     def slots(self) -> Iterator[tuple[str, Component]]:
         """Yield every part with its slot."""
@@ -110,27 +123,17 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
 
     def step(self, state: StateT) -> ActionT:
         """Judge the previous decision by this state, then decide. Call once per decision."""
-        self.evaluate(state)
-        return self.propagate(state)
+        with self._turnstile:
+            self._cycle.evaluate(state)
+            return self._cycle.propagate(state)
 
     def propagate(self, state: StateT) -> ActionT:
         """Return the action to execute (Thesis 3.2.3, propagation) and remember the decision (a-e).
 
         A decision that was never judged is dropped.
         """
-        if self._turn is not None:
-            self.drop()
-        turn: Turn[StateT, ActionT] = Turn.begin(self._guard.attend(self.decisions))
-        self._seat.ask(turn, self.decisions, state)  # the tutor says its action
-        if turn._void:
-            self._limiter.forget()
-            self._grader.fall_back(turn)
-        else:
-            self._grader.grade(turn)  # student, selector and amplifier: proposal, selected and resulting action
-        self._grader.render(turn)  # the resulting action as the robot gets it
-        self._remember(turn)  # a-e
-        self.decisions += 1
-        return turn._action
+        with self._turnstile:
+            return self._cycle.propagate(state)
 
     def evaluate(self, resulting_state: StateT) -> Turn[StateT, ActionT] | None:
         """Judge the pending decision by the state it led to, and teach (Thesis 3.2.3 A-C).
@@ -138,17 +141,8 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Returns:
             The whole turn, or None if no decision is pending.
         """
-        turn, self._turn = self._turn, None
-        if turn is None:
-            return None
-        if self._seat.hears:
-            self._seat.tell(turn)
-        outcome = self._judge.judge(resulting_state)  # A, B, and the conditions of C
-        turn._outcome, before = outcome, len(turn._incidents)
-        if not (turn._void or turn._untold):
-            self._teacher.teach(turn, outcome)  # C(a), C(b)
-        self._end(turn, before)
-        return turn
+        with self._turnstile:
+            return self._cycle.evaluate(resulting_state)
 
     def executed(self, action: ActionT) -> None:
         """Say what was really executed instead of the action that the engine returned.
@@ -159,12 +153,13 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Raises:
             ContractError: if no decision is pending or the action is not of the tutor's class.
         """
-        turn = self._get_pending("executed()")
-        if type(action) is not self.tutor.action:
-            raise ContractError(
-                f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
-            )
-        self._corrector.correct(turn, copy_checked(action, "executed()"))
+        with self._turnstile:
+            turn = self._get_pending("executed()")
+            if type(action) is not self.tutor.action:
+                raise ContractError(
+                    f"executed(): found {type(action).__name__}; expected the tutor's {self.tutor.action.__name__}."
+                )
+            self._corrector.correct(turn, copy_checked(action, "executed()"))
 
     def refused(self, error: BaseException) -> None:
         """Say that the action could not be executed, and why: the tutor's own was executed instead.
@@ -172,35 +167,28 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         Raises:
             ContractError: if no decision is pending, or where incidents are to be raised.
         """
-        turn = self._get_pending("refused()")
-        self._corrector.correct(turn, turn._original)
-        self._guard.record("action", error)
+        with self._turnstile:
+            turn = self._get_pending("refused()")
+            self._corrector.correct(turn, turn._original)
+            self._guard.record("action", error)
 
     def void(self, reason: str) -> None:
         """Say that the pending decision must teach nothing (an emergency stop, teleoperation)."""
-        if self._turn is not None:
-            self._turn._void = reason or "no reason given"
+        if self._cycle.turn is not None:
+            self._cycle.turn._void = reason or "no reason given"
 
     def drop(self) -> None:
         """Forget the pending decision without judging it (a trial that was cut off)."""
-        turn, self._turn = self._turn, None
-        if turn is None:
-            return
-        self._judge.forget()
-        if self._seat.hears:
-            self._seat.tell(turn)
-        turn._void = turn._void or "dropped"
-        self._end(turn, len(turn._incidents))
+        with self._turnstile:
+            self._cycle.drop()
 
     def reset(self) -> None:
         """Begin a trial. Decision count, learning phase and what was learned stay."""
-        self.drop()
-        self._guard.attend(self.decisions)
-        self._judge.forget()
-        self._limiter.forget()
-        self._seat.call(self.tutor.reset)
-        others = [(slot, part) for slot, part in self.slots() if slot != "tutor"]
-        self._guard.call_all((slot, part.reset) for slot, part in others if isinstance(part, EnginePart))
+        with self._turnstile:
+            self._cycle.begin_trial()
+            self._cycle.call_tutor(self.tutor.reset)
+            others = [(slot, part) for slot, part in self.slots() if slot != "tutor"]
+            self._guard.call_all((slot, part.reset) for slot, part in others if isinstance(part, EnginePart))
 
     def close(self) -> None:
         """Let every part go, whatever some of them raise."""
@@ -217,35 +205,33 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         parts = dict(self.slots())
         for slot, value in state.items():
             if slot == "decisions":
-                self.decisions = require_level(value)
+                self._cycle.decisions = require_level(value)
             elif slot in parts:
                 parts[slot].load_state_dict(value)
             else:
                 raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
 
     def _get_pending(self, what: str) -> Turn[StateT, ActionT]:
-        if self._turn is None:
+        if self._cycle.turn is None:
             raise ContractError(f"{what}: no decision is pending; call it after step() and before the next step().")
-        return self._turn
+        return self._cycle.turn
 
-    def _remember(self, turn: Turn[StateT, ActionT]) -> None:
-        shown = turn._moment.tutor_action
-        record = shown
-        if turn._action is not turn._original:
-            record = rebuild(turn._action)
-            turn._seals = turn._seals[0], seal(record)
-        turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
-        self._limiter.remember(shown.kind, turn._resulting.level, turn._fractions)
-        self._turn = turn
 
-    def _end(self, turn: Turn[StateT, ActionT], incidents: int) -> None:
-        """Show the turn to the parts that listen; what a part spoilt in its records is mended."""
-        if len(turn._incidents) > incidents:
-            renew_records(turn)
-        for part, blame in self._listeners:
-            with blame:
-                part.judged(turn)
-                check_records(turn)
-            if blame.failed:
-                renew_records(turn)
-        self.last = turn
+class Turnstile:
+    """Lets one call into an engine at a time; a part that calls the engine it works in is refused."""
+
+    __slots__ = ("_is_taken",)
+
+    def __init__(self) -> None:
+        self._is_taken = False
+
+    def __enter__(self) -> None:
+        if self._is_taken:
+            raise ContractError(
+                "the engine is in the middle of a decision; a part must not call the engine that it works in, and two "
+                "threads must not share one."
+            )
+        self._is_taken = True
+
+    def __exit__(self, *error: object) -> None:
+        self._is_taken = False

@@ -6,6 +6,7 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
 from inspect import CO_VARARGS
+from itertools import pairwise
 from types import FrameType, TracebackType
 from typing import Any, Literal
 
@@ -105,7 +106,7 @@ def is_owners(error: BaseException) -> bool:
 
     It is the owner's if it is Ctrl-C, or if a signal handler raised it. A handler is told apart by its call: Python
     calls it with the signal's number and the very frame that it interrupts, so that a function stands in the traceback
-    whose second argument is the frame below it.
+    whose last two arguments are a number and the frame below it.
     """
     if issubclass(type(error), KeyboardInterrupt):
         return True
@@ -125,7 +126,7 @@ def _handles_a_signal(frame: FrameType) -> bool:
     given = [values.get(name) for name in code.co_varnames[: code.co_argcount]]
     if code.co_flags & CO_VARARGS:
         given += values.get(code.co_varnames[code.co_argcount + code.co_kwonlyargcount], ())
-    return any(argument is below for argument in given)
+    return any(argument is below and isinstance(number, int) for number, argument in pairwise(given))
 
 
 def _say(error: BaseException) -> tuple[str, str]:

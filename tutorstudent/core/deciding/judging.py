@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Sequence
 from types import MappingProxyType
 from typing import Any, Generic
 
 from tutorstudent.core.deciding.guard import Breach, Guard
 from tutorstudent.core.roles.leaves import Condition
-from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import require_bit, require_number
 from tutorstudent.core.words.records import Margins, Outcome, StateT
 
@@ -21,12 +19,6 @@ class Judge(Generic[StateT]):
     """Asks every condition once about every resulting state. A condition that fails counts as violated."""
 
     def __init__(self, conditions: Sequence[Condition[StateT]], guard: Guard) -> None:
-        doubled = [name for name, count in Counter(condition.label for condition in conditions).items() if count > 1]
-        if doubled:
-            raise ContractError(
-                f"condition '{doubled[0]}' stands there twice; each condition has a name of its own.",
-                slot=f"conditions.{doubled[0]}",
-            )
         self._conditions = [(condition, condition.label, _declares_margins(condition)) for condition in conditions]
         self._guard = guard
         self._before: Margins | None = None

@@ -37,15 +37,16 @@ class Limiter:
         self._limits, self._slew = limits, limits.slew
         self._change, self._amount = amplifier.change, amplifier.amount
         self._sized: tuple[Action | None, Fractions] = None, ()
-        self.forget()
+        self.last: tuple[str, Limited] = "", NOTHING
+        """Kind and level of what was executed last: slew counts from there."""
 
     def forget(self) -> None:
         """Begin a trial: slew counts from level 0."""
-        self._last_kind, self._last = "", NOTHING
+        self.last = "", NOTHING
 
     def remember(self, kind: str, level: int, fractions: Fractions) -> None:
         """Take in what is executed: slew counts from there."""
-        self._last_kind, self._last = kind, Limited(level, fractions)
+        self.last = kind, Limited(level, fractions)
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""
@@ -82,7 +83,7 @@ class Limiter:
         floor = self._floor(turn._original.kind)
         if floor == 0:
             return NOTHING
-        measure = partial(scale_fractions, self._last.fractions, self._last.level)
+        measure = partial(scale_fractions, self.last[1].fractions, self.last[1].level)
         return _hold(floor, 0, "", Ladder(measure, turn._original, turn._groups, self._limits))
 
     def _climb(self, turn: Turn[Any, Any], asked: int) -> tuple[int, str]:
@@ -101,7 +102,7 @@ class Limiter:
         return self._sized[1]
 
     def _last_level(self, kind: str) -> int:
-        return self._last.level if self._last_kind == kind else 0
+        return self.last[1].level if self.last[0] == kind else 0
 
     def _floor(self, kind: str) -> int:
         return 0 if self._slew is None else max(0, self._last_level(kind) - self._slew)

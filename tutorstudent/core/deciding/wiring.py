@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from typing import Any
 
 from tutorstudent.core.deciding.checking import copy_checked
 from tutorstudent.core.roles.interfaces import ActionSelector, Student, Tutor
+from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, list_names
 
@@ -52,3 +55,17 @@ def check_failure_action(tutor: Tutor[Any, Any], action: Action | None) -> None:
         )
     if action is not None:
         copy_checked(action, "on_tutor_failure")
+
+
+def check_conditions(conditions: Sequence[Condition[Any]]) -> None:
+    """Refuse two conditions of one name.
+
+    Raises:
+        ContractError: if there are.
+    """
+    doubled = [name for name, count in Counter(condition.label for condition in conditions).items() if count > 1]
+    if doubled:
+        raise ContractError(
+            f"condition '{doubled[0]}' stands there twice; each condition has a name of its own.",
+            slot=f"conditions.{doubled[0]}",
+        )
