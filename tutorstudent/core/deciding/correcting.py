@@ -54,14 +54,21 @@ def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | 
     ways = [measure_progress(group, own, done) for group in groups]
     top = ladder.climb(turn._asked.resulting.level)
     most = _measure_level(top, turn, ladder)
-    if any(way is None or not -ROUNDING <= way <= mark + ROUNDING for way, mark in zip(ways, most, strict=True)):
+    slack = [ROUNDING * _measure_size(group, own, done) for group in groups]
+    found = list(zip(ways, most, slack, strict=True))
+    if any(way is None or not -free <= way <= mark + free for way, mark, free in found):
         return None
     levels = [(level, _measure_level(level, turn, ladder)) for level in range(top, -1, -1)]
     return next(
         level
         for level, marks in levels
-        if all((way or 0.0) >= mark - ROUNDING for way, mark in zip(ways, marks, strict=True))
+        if all((way or 0.0) >= mark - free for way, mark, free in zip(ways, marks, slack, strict=True))
     )
+
+
+def _measure_size(group: Group, own: Mapping[str, float], done: Mapping[str, float]) -> float:
+    """Return the largest number in the group, in units of its scale: what rounding errors are measured by."""
+    return max(abs(values[name]) for values in (own, done) for name in group.names) / group.scale
 
 
 def _measure_level(level: int, turn: Turn[Any, Any], ladder: Ladder) -> list[float]:
@@ -89,4 +96,4 @@ def measure_progress(group: Group, values: Mapping[str, float], ends: Mapping[st
         return distance / group.scale
     on_the_way = move(group, values, distance / group.scale)
     off = max(abs(ends[name] - value) for name, value in zip(group.names, on_the_way, strict=True))
-    return distance / group.scale if off <= ROUNDING * group.scale else None
+    return distance / group.scale if off <= ROUNDING * _measure_size(group, values, ends) * group.scale else None

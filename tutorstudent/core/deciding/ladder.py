@@ -14,7 +14,7 @@ from tutorstudent.core.words.turn import Fractions
 
 HIGHEST_LEVEL = 1000
 """No level goes beyond it, even where a level moves nothing."""
-# 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant.
+# 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant. Relative: commands may be tiny.
 ROUNDING = 1e-9
 
 
@@ -60,7 +60,7 @@ class Ladder:
         if level in rungs:
             return rungs[level]
         fractions: Fractions | None = self._measure(level)
-        if max(fractions or (0.0,)) > self._limits.cap + ROUNDING:
+        if max(fractions or (0.0,)) > self._limits.cap * (1 + ROUNDING):
             fractions, self.limit = None, "cap"
         elif self._limits.factor is not None and self._exceeds(self._limits.factor, fractions or ()):
             fractions, self.limit = None, "factor"
@@ -70,7 +70,7 @@ class Ladder:
     def _exceeds(self, factor: float, fractions: Fractions) -> bool:
         values, groups = self._values, self._groups
         if not self._allowed:
-            self._allowed = [factor * measure_deviation(group, values) + ROUNDING * group.scale for group in groups]
+            self._allowed = [factor * measure_deviation(group, values) * (1 + ROUNDING) for group in groups]
         return any(
             move_deviation(group, values, fraction) > allowed
             for group, fraction, allowed in zip(groups, fractions, self._allowed, strict=True)
