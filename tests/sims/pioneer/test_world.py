@@ -108,23 +108,6 @@ def test_events_are_plain_floats_by_the_declared_names(make_world):
         assert (step.done, step.truncated) == (False, False)
 
 
-def test_the_events_say_how_a_run_summarizes_them(make_world):
-    assert dict(make_world("chase-avoid").event_names) == {
-        "stalled_ticks": "sum",
-        "collided": "sum",
-        "longest_stall": "max",
-        "contacts": "sum",
-        "contact_speed_mps": "max",
-        "hit_by_others": "sum",
-        "encounters": "sum",
-        "distance_m": "sum",
-        "time_s": "sum",
-        "x_m": "last",
-        "y_m": "last",
-        "heading_rad": "last",
-    }
-
-
 def test_jitter_moves_the_starts_with_the_seed_and_no_farther_than_it_says(make_world):
     world = make_world("cave-predator-prey", pose_jitter_m=0.4)
     plain = make_world("cave-predator-prey")
