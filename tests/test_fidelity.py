@@ -84,7 +84,7 @@ def test_what_results_depend_on_is_what_the_calibration_shows() -> None:
             assert (", ".join(found) or "nothing that shows") == printed_there, choice
 
 
-def test_every_default_beside_it_is_the_components_own() -> None:
+def test_every_default_beside_it_is_the_parts_own() -> None:
     world = PioneerWorld.Options().model_dump()
     defaults = named(flat(world, "world")) | flat(Prototype2.Options().model_dump(), "tutor")
     page = {name: values[1] for name, values in printed().items()}

@@ -1,4 +1,4 @@
-"""`wrap`: a learner round a controller that works, in one line."""
+"""`wrap`: a learner around a working controller, in one line."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ def wrap(
     seed: int = 0,
     **slots: Any,
 ) -> Loop:
-    """Return a loop round an existing controller: call its ``step(state)`` where the controller was called.
+    """Return a loop around a controller; call its ``step(state)`` where you called the controller.
 
     Args:
         controller: A callable of the state, or a `Tutor`.
         action: What the controller returns, as in ``scalar(-1, 1)``; a `Tutor` brings its own.
         condition: Operational condition: true means violated.
         conditions: Several of them.
-        ranges: Low and high of each number of the state, for what the student sees; without them it sees the
-            controller's own command only.
-        factor: Largest ratio of the executed to the controller's own magnitude.
+        ranges: Low and high of each number of the state; without them the student sees only the controller's own
+            command.
+        factor: The executed magnitude is at most this many times the controller's own.
         slew: Largest change of the amplification level from one decision to the next.
         seed: The one seed.
         slots: Other slots of a pipeline, as plain values: ``student={"use": "backprop", ...}``; ``limits`` adds to

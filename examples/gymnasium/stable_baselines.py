@@ -25,7 +25,7 @@ WEIGHTS = {"distance_m": 1.0, "violated": -1.0}
 JUDGED = 1000
 
 
-def judged(env: Any, choose: Callable[[Any], Any]) -> str:
+def judge(env: Any, choose: Callable[[Any], Any]) -> str:
     """Return what a way of choosing levels comes to, over a trial that nobody learns from."""
     seen, _ = env.reset(seed=1)
     distance_m = violated = 0.0
@@ -54,7 +54,7 @@ def main(arguments: list[str]) -> str | None:
         "learned level": lambda seen: int(model.predict(seen, deterministic=True)[0]),
     }
     for name, choose in ways.items():
-        print(f"{name}: {judged(env, choose)}")  # noqa: T201
+        print(f"{name}: {judge(env, choose)}")  # noqa: T201
     return None
 
 

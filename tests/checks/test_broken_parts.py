@@ -497,7 +497,7 @@ class Secretive(copied(Memory)):
         return {}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
-        raise ts.ContractError("takes nothing")
+        raise ts.ContractError("without argung")
 
 
 @breaks("margins_agree_with_the_condition", "violated: True, least margin 5.0")

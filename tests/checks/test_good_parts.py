@@ -142,7 +142,10 @@ class Bare(Tutor[Any, Heat]):
 
 def test_without_states_nothing_is_tried_and_it_is_said_why() -> None:
     reasons = skipped(quickly(Bare()))
-    assert "nobody says what states Bare is made for: give its class or its state class examples()," in reasons["works"]
+    assert (
+        "it is not known what states Bare is made for: give its class or its state class examples(),"
+        in reasons["works"]
+    )
     assert "is_described" not in reasons
 
 

@@ -73,7 +73,7 @@ def test_an_option_that_is_not_there_exits_with_2(
     assert "No such" in said
 
 
-def test_info_tells_where_a_component_comes_from_its_options_and_the_line_for_a_pipeline() -> None:
+def test_info_tells_where_a_part_comes_from_its_options_and_the_line_for_a_pipeline() -> None:
     shown = printed("plugins", "info", "backprop")
     assert shown.startswith("student backprop\nplugin 'backprop' of tutorstudent ")
     assert "class tutorstudent.plugins.backprop.student.BackpropStudent" in shown
@@ -93,14 +93,14 @@ def test_info_prints_json() -> None:
     assert ("clearance_m", "number", False) == (option["name"], option["type"], option["required"])
 
 
-def test_every_component_can_be_shown(registry: Registry) -> None:
+def test_every_part_can_be_shown(registry: Registry) -> None:
     for installed in registry:
         lines = list(format_page(installed, registry))
         assert lines[0] == f"{installed.cls.role} {installed.cls.name}"
         assert [] == [line for line in lines[lines.index("") :] if "Options" in line and len(line) > 80]
 
 
-def test_the_line_of_a_component_names_parts_that_need_nothing_more(registry: Registry) -> None:
+def test_the_line_of_a_part_names_parts_that_need_nothing_more(registry: Registry) -> None:
     assert "conditions: [{use: any-of, of: [bumped]}]" == format_yaml(find("any-of", None, registry), registry)
     assert "tutor: pusher" == format_yaml(find("pusher", None, registry), registry)
 
@@ -108,11 +108,11 @@ def test_the_line_of_a_component_names_parts_that_need_nothing_more(registry: Re
 @pytest.mark.parametrize(
     ("name", "role", "message"),
     [
-        ("bakprop", None, "no component is named 'bakprop' (did you mean 'backprop'?)"),
+        ("bakprop", None, "no part is named 'bakprop' (did you mean 'backprop'?)"),
         ("backprop", "tutr", "there is no role 'tutr' (did you mean 'tutor'?). Roles: amplifier, change,"),
         ("backprop", "tutor", "no tutor named 'backprop'"),
         ("prototype3", "tutor", "no tutor named 'prototype3' (did you mean 'prototype2'?)"),
-        ("twin", None, "several components are named 'twin': condition, tutor. Choose one with --role."),
+        ("twin", None, "several parts are named 'twin': condition, tutor. Choose one with --role."),
     ],
 )
 def test_info_about_what_is_not_there_says_what_is(name: str, role: str | None, message: str) -> None:
@@ -141,7 +141,7 @@ def test_the_list_fits_its_width_and_leaves_out_no_word(width: int, registry: Re
     assert expected <= Counter(word for line in lines for word in line.split())
 
 
-def test_a_list_that_is_piped_has_a_line_for_each_component() -> None:
+def test_a_list_that_is_piped_has_a_line_for_each_part() -> None:
     (line,) = [line for line in printed("plugins", "list").splitlines() if " observation-outside " in line]
     assert ["condition", "observation-outside", "gymnasium"] == line.split()[:3]
     assert line.endswith("Its margins are the distances from both ends.")

@@ -205,8 +205,8 @@ def test_plugins_list_prints_json() -> None:
     result = CliRunner().invoke(app, ["plugins", "list", "--json"])
     listed = json.loads(result.stdout)
     assert [] == listed["broken"]
-    assert {"role", "name", "plugin", "distribution", "description"} == set(listed["components"][0])
-    assert all(component["description"] for component in listed["components"])
+    assert {"role", "name", "plugin", "distribution", "description"} == set(listed["parts"][0])
+    assert all(part["description"] for part in listed["parts"])
 
 
 def test_schema_prints_a_schema() -> None:
@@ -236,7 +236,7 @@ def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
     monkeypatch.setattr("tutorstudent.command.program.run_pipeline", interrupted)
     result = CliRunner().invoke(app, words)
     assert 130 == result.exit_code
-    assert "interrupted; a run is written at its end, so nothing is." in result.stderr
+    assert "interrupted. A run is written when it ends, so nothing was written;" in result.stderr
     assert kept == sorted(path.name for path in tmp_path.rglob("*"))
 
 

@@ -318,7 +318,7 @@ def test_a_hostile_state_is_refused_as_a_whole(state: Mapping[str, Any], message
         ({"momentum": 1.0}, r"option 'momentum': input should be less than 1"),
         ({"teaching_rate": 0}, r"option 'teaching_rate': input should be greater than or equal to 1"),
         ({"initial_weight": math.nan}, r"option 'initial_weight': input should be"),
-        ({"codec": "level-ampbit"}, r"option 'codec' must be a component \(Codec\), not 'level-ampbit'"),
+        ({"codec": "level-ampbit"}, r"option 'codec' must be a part \(Codec\), not 'level-ampbit'"),
     ],
 )
 def test_wrong_options_are_named(options: dict[str, Any], message: str) -> None:

@@ -49,7 +49,7 @@ def test_by_default_it_teaches_about_everything() -> None:
         ({"begin": 5, "end": 5}, r"end \(5\) must be more than begin \(5\), or nothing is ever taught"),
         ({"begin": -1}, "option 'begin': input should be greater than or equal to 0"),
         ({"end": 0}, "option 'end': input should be greater than or equal to 1"),
-        ({"evaluator": "conditions"}, "option 'evaluator' must be a component"),
+        ({"evaluator": "conditions"}, "option 'evaluator' must be a part"),
     ],
 )
 def test_an_interval_that_is_none_is_refused(options: dict[str, Any], message: str) -> None:

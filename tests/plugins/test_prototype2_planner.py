@@ -119,6 +119,6 @@ def test_a_decision_handed_on_in_a_circle_is_an_error_that_shows_the_circle() ->
     with pytest.raises(ContractError) as error:
         plan.decide(frozenset())
     assert str(error.value) == (
-        "state planner: no rule acted, the decision was handed on in a circle (a -> b -> a); "
+        "state planner: no rule acted; the states passed the decision on in a circle (a -> b -> a); "
         "give one of these rules an action."
     )

@@ -91,7 +91,7 @@ def test_all_parts_are_asked_since_conditions_may_have_a_memory() -> None:
 def test_a_composed_condition_needs_parts() -> None:
     with pytest.raises(PipelineError, match="condition 'any-of': option 'of': list should have at least 1 item"):
         AnyOf(of=[])
-    with pytest.raises(PipelineError, match="condition 'not': option 'of' must be a component"):
+    with pytest.raises(PipelineError, match="condition 'not': option 'of' must be a part"):
         Not(of="bumped")
 
 

@@ -90,7 +90,7 @@ def test_a_third_partys_wheel_is_found_checked_and_run_from_yaml(environment: En
     environment.install(wheel_of(project, tmp_path / "wheels"))
 
     listed = json.loads(environment.tutorstudent("plugins", "list", "--json", cwd=tmp_path))
-    (found,) = [item for item in listed["components"] if item["name"] == NAME]
+    (found,) = [item for item in listed["parts"] if item["name"] == NAME]
     assert ("tutor", NAME, f"{NAME} 0.1.0") == (found["role"], found["plugin"], found["distribution"])
 
     told = json.loads(environment.tutorstudent("plugins", "check", NAME, "--json", cwd=tmp_path))

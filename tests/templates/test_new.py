@@ -147,8 +147,8 @@ def test_the_class_is_called_after_the_part_and_its_role(name: str, class_name: 
         ("tutor", "../evil", "(perhaps 'evil')."),
         ("tutor", "class", "'class' cannot be the name of a module; choose another, as in 'my-class'."),
         ("tutor", "tests", "'tests' cannot be the name of a module"),
-        ("student", "random", "there is a module 'random' already; choose another name, as in 'my-random'."),
-        ("tutor", "tutorstudent", "there is a module 'tutorstudent' already"),
+        ("student", "random", "a module 'random' is installed already; choose another name, as in 'my-random'."),
+        ("tutor", "tutorstudent", "a module 'tutorstudent' is installed already"),
         ("tutor", "prototype2", "there is a tutor of that name, from 'prototype2' (tutorstudent "),
         ("tutor", "scikit-learn", "the distribution 'scikit-learn' "),
     ],
@@ -162,9 +162,9 @@ def test_a_name_that_cannot_be_used_is_a_sentence(role: str, name: str, message:
 def test_what_is_there_is_never_overwritten(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
     names = make_names("tutor", "my-tutor", Registry())
-    with pytest.raises(PipelineError, match="there is something of that name already; give another folder with --out"):
+    with pytest.raises(PipelineError, match="it exists and is not an empty folder; give another folder with --out"):
         write_plugin(names, tmp_path)
-    with pytest.raises(PipelineError, match="there is something of that name already"):
+    with pytest.raises(PipelineError, match="it exists and is not an empty folder"):
         write_plugin(names, tmp_path / "notes.txt")
     assert ["notes.txt"] == [path.name for path in tmp_path.iterdir()]
 

@@ -130,7 +130,7 @@ def test_several_numbers_are_a_list_a_tuple_or_an_array(command: Any) -> None:
 
 
 def test_a_command_out_of_bounds_is_told_with_the_remedy() -> None:
-    with pytest.raises(ts.ContractError, match="command is 1.2: input should be less than or equal to 1. State the"):
+    with pytest.raises(ts.ContractError, match="command is 1.2: input should be less than or equal to 1. State wider"):
         ts.wrap(lambda _: 1.2, action=UNIT).step(0.0)
     loop = ts.wrap(half, action=UNIT)
     loop.step(0.0)

@@ -1,4 +1,4 @@
-"""Conformance checks for third parties' parts: what every role promises, tried out on an instance.
+"""Conformance checks for your own parts: they try out what every role promises.
 
 In the tests of a plugin::
 

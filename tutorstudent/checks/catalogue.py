@@ -48,7 +48,7 @@ class Check:
 
 
 def waives_with_reasons(usage: Usage) -> None:
-    """What the class says in `waived_checks` names checks that there are, each with a reason."""
+    """Every check that the class waives in `waived_checks` exists, and has a reason."""
     known = {function.__name__ for functions in (COMMON, *SPECIAL.values()) for function in functions}
     wrong = [name for name, reason in usage.subject.waived.items() if name not in known or not str(reason).strip()]
     expect(

@@ -1,4 +1,4 @@
-"""What a component's class says about the states and actions that it is made for: its type arguments."""
+"""The states and actions that a part is made for, as its class's type arguments say."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from tutorstudent.core.words.records import Moment, StateT
 
 
 def find_state_claim(cls: type[Component]) -> Any:
-    """Return the class of states that a component is made for.
+    """Return the class of states that a part is made for.
 
-    A TypeVar means that it is made for any, None that nobody says.
+    A TypeVar means that any will do, None that it is not known.
 
     >>> from tutorstudent.core.roles.interfaces import Tutor
     >>> class Pid(Tutor[float, Any]): ...
@@ -25,7 +25,7 @@ def find_state_claim(cls: type[Component]) -> Any:
 
 
 def find_action_claim(cls: type[Component]) -> Any:
-    """Return the class of actions that a component is made for, as `find_state_claim` does for states."""
+    """Return the class of actions that a part is made for, as `find_state_claim` does for states."""
     return _find_claims(cls).get(ActionT)
 
 

@@ -1,4 +1,4 @@
-"""Checks of what can be said about a part before it is used: description, options, what it waives."""
+"""Checks of a part before it is used: its description and its options."""
 
 from __future__ import annotations
 
@@ -78,9 +78,9 @@ def can_be_written_down(usage: Usage) -> None:
         json.dumps(make_plain(usage.subject.sample.describe(), "describe()"))
     except (PipelineError, TypeError, ValueError) as error:
         raise CheckFailed(
-            "every option is a plain value, a path, an enum or a component",
+            "every option is a plain value, a path, an enum or a part",
             describe_error(error),
-            "make objects of plain options in setup()",
+            "build objects from plain options in setup()",
         ) from error
 
 
@@ -96,6 +96,6 @@ def _find_bare(model: type[BaseModel], prefix: str = "") -> list[str]:
 
 
 def _copy_given(usage: Usage) -> dict[str, Any]:
-    # Options that were set, by a new part each: a component stands in one place only.
+    # Options that were set, by a new part each: a part stands in one place only.
     options = usage.subject.make().options
     return {name: getattr(options, name) for name in options.model_fields_set}

@@ -32,7 +32,7 @@ def works(usage: Usage) -> None:
         raise CheckFailed(
             "it can be made, bound, reset, used and closed",
             f"{describe_error(error)}, when it was {doing}",
-            "see the traceback; a state that it is not made for can be replaced with examples() or states=[...]",
+            "see the traceback; if it is made for other states, give them with examples() or states=[...]",
         ) from error
 
 
@@ -52,7 +52,7 @@ def resets_twice(usage: Usage) -> None:
         raise CheckFailed(
             "it can be reset at any time, twice in a row too",
             describe_error(error),
-            "let reset() put the episode back to its beginning, whatever it was; open things in setup()",
+            "let reset() restore the beginning of an episode at any time; open things in setup()",
         ) from error
 
 

@@ -39,7 +39,7 @@ def changes_nothing_it_is_handed(usage: Usage) -> None:
             before == take_snapshot(question),
             "what it is handed stays as it is",
             f"it changed what it was handed in question {asked}",
-            "copy what is to be changed: numpy's -=, sort() and x[...] = write into the state that everybody sees",
+            "copy what you change: numpy's -=, sort() and x[...] = write into the shared state",
         )
         return answer
 
@@ -58,7 +58,7 @@ def survives_broken_readings(usage: Usage) -> None:
                 raise CheckFailed(
                     "a tutor answers with a sound action where a reading is NaN or infinite",
                     describe_error(error),
-                    "take such a reading for the worst that it can mean; a tutor that fails is what nobody can replace",
+                    "read it as the worst that it can mean; nothing can replace a tutor that fails",
                 ) from error
     _check_goes_on(usage, part, "after readings that were NaN or infinite")
 
@@ -93,7 +93,7 @@ def _check_goes_on(usage: Usage, part: Any, when: str) -> None:
         raise CheckFailed(
             f"it works as before {when}",
             describe_error(error),
-            "change what it remembers only once nothing can fail any more; keep no NaN",
+            "change its memory only when nothing can fail any more, and keep no NaN",
         ) from error
 
 
@@ -121,5 +121,5 @@ def _check_refused_write(error: BaseException) -> None:
         raise CheckFailed(
             "what it is handed stays as it is",
             f"it tried to change it: {describe_error(error)}",
-            "copy what is to be changed",
+            "copy what you change",
         ) from error

@@ -1,4 +1,4 @@
-"""Asks the same part in another process: what hangs on hash values, addresses or import order differs there."""
+"""Asks the same part in another process, where hash values, addresses and import order differ."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def make_recipe(subject: Subject) -> dict[str, Any]:
 
 
 def make(registry: Registry, role: str, values: dict[str, Any], name: str = "part") -> Any:
-    """Return the component that plain values name; `name` stands for where they come from."""
+    """Return the part that plain values name; `name` stands for where they come from."""
     part: Component = Assembler(Document(name, values, {}), registry).make_part(role, values, ())
     return part
 

@@ -43,11 +43,9 @@ def has_its_own_random_numbers(usage: Usage) -> None:
     )
     if untouched:
         raise CheckSkipped("it uses no random numbers")
-    others = {place.replace("there", "here", 1): _get_state(value) for place, value in _find_generators(other)}
+    others = {key.replace("there", "here", 1): _get_state(value) for key, value in _find_generators(other)}
     shared = [
-        place
-        for place, value in generators.items()
-        if take_snapshot(_get_state(value)) == take_snapshot(others.get(place))
+        key for key, value in generators.items() if take_snapshot(_get_state(value)) == take_snapshot(others.get(key))
     ]
     expect(
         not shared,

@@ -72,7 +72,7 @@ class Subject:
         return part
 
     def close_all(self) -> None:
-        """Close every instance that was bound, whatever became of it, so that no check leaves anything open."""
+        """Close every instance that was bound, so that no check leaves anything open."""
         while self._made:
             with contextlib.suppress(Exception, SystemExit):
                 self._made.pop().close()
@@ -113,7 +113,7 @@ class Subject:
             return _visit(self.world, self.action)
         members = list(walk_family(self.sample))
         for member in members:
-            if hasattr(member, "examples"):
+            if type(member).examples is not Component.examples:
                 return _find_examples(member, self.action)
             claim = find_state_claim(type(member))
             if hasattr(claim, "examples"):
@@ -121,8 +121,8 @@ class Subject:
         if all(isinstance(find_state_claim(type(member)), TypeVar) for member in members if _reads_states(member)):
             return [0.0]
         raise CheckSkipped(
-            f"nobody says what states {self.cls.__name__} is made for: give its class or its state class examples(), "
-            "or checks_of(part, states=[...]), or `plugins check NAME --world WORLD`"
+            f"it is not known what states {self.cls.__name__} is made for: give its class or its state class "
+            "examples(), or checks_of(part, states=[...]), or `plugins check NAME --world WORLD`"
         )
 
 
@@ -159,6 +159,6 @@ def _visit(world: World[Any, Any], action: type[Action]) -> list[Any]:
 def _require_unbound(part: Component) -> Component:
     if part.slot:
         raise ContractError(
-            f"{part.role} '{part.name}' stands at '{part.slot}' of a pipeline; give the checks one that stands nowhere."
+            f"{part.role} '{part.name}' stands at '{part.slot}' of a pipeline; give the checks one that is in none."
         )
     return part

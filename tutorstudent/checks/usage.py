@@ -102,4 +102,4 @@ def close(part: Any) -> None:
 
 def explain_unusable(error: BaseException) -> CheckSkipped:
     """Return why other checks than ``works`` have nothing to say."""
-    return CheckSkipped(f"it cannot be used, see the check 'works': {describe_error(error)}")
+    return CheckSkipped(f"see the check 'works': it cannot be used: {describe_error(error)}")

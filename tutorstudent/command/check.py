@@ -27,7 +27,7 @@ def check(
     world: Annotated[str | None, typer.Option(help="a world whose states it is tried with")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
 ) -> None:
-    """Check that a part does what its role promises: says what was expected, what was seen and what to do."""
+    """Check that a part does what its role promises. A failure says what was expected, what happened and what to do."""
     registry = Registry.discover()
     found = find_role(registry, name, role)
     values: dict[str, Any] = {"use": name}
@@ -42,7 +42,7 @@ def check(
 
 
 def check_required(registry: Registry, cls: type[Component], values: Mapping[str, Any]) -> None:
-    """Say how to give the options that a part cannot be made without.
+    """Raise if a required option is missing; the message says how to give it.
 
     Raises:
         PipelineError: if one is missing, and none is misspelt.
@@ -79,6 +79,6 @@ def find_role(registry: Registry, name: str, role: str | None) -> str:
         registry.check_not_broken(name)
         raise UnknownPlugin(
             f"no part named '{name}'{suggest(name, known)}. Installed: {list_names(known)}. "
-            f"A package has to be installed with pip to be found.{registry.suspects()}"
+            f"Install its package with pip to have it found.{registry.suspects()}"
         )
     return roles[0]

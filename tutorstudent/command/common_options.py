@@ -18,7 +18,7 @@ Trace = Annotated[bool, typer.Option("--trace", help="tell every call of a plugi
 
 
 def heed(verbose: bool, trace: bool) -> None:
-    """Set what was asked for in the environment, so that worker processes heed it too."""
+    """Store the options in the environment, so that worker processes heed them too."""
     for name, wanted in ((VERBOSE, verbose), (TRACE, trace)):
         if wanted:
             os.environ[name] = "1"

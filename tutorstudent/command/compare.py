@@ -84,11 +84,11 @@ def _make_plan(wish: Wish, request: Request) -> Plan:
 
 
 def _load_plan(out: Path, context: typer.Context) -> Plan:
-    """Return the plan of a study that is gone on with; nothing may be said that it says already."""
+    """Return the plan of a study to resume; refuse options that would contradict it."""
     if said := options.find_repeated(context):
         raise PipelineError(
-            f"--resume with {', '.join(said)}: the plan in {out} says that already; leave "
-            f"{'it' if len(said) == 1 else 'them'} out, or give the pipelines too, to have the two compared."
+            f"--resume with {', '.join(said)}: the plan in {out} already decides that; leave "
+            f"{'it' if len(said) == 1 else 'them'} out, or name the pipelines too; then both plans are compared."
         )
     return load_plan(out)
 

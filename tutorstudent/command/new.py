@@ -1,4 +1,4 @@
-"""`tutorstudent plugins new`: a plugin that works, to begin from."""
+"""`tutorstudent plugins new`: a working plugin to start from."""
 
 from __future__ import annotations
 

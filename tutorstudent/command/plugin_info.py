@@ -1,4 +1,4 @@
-"""`tutorstudent plugins info`: all that there is to know about one component."""
+"""`tutorstudent plugins info`: everything about one part."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ IN_LISTS = {"condition": "conditions", "observer": "observers"}
 
 
 def info(
-    name: Annotated[str, typer.Argument(help="the name of a component, as in a pipeline")],
-    role: Annotated[str | None, typer.Option(help="its role, where several components have the name")] = None,
+    name: Annotated[str, typer.Argument(help="the name of a part, as in a pipeline")],
+    role: Annotated[str | None, typer.Option(help="its role, where several parts have the name")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
 ) -> None:
-    """Show a component: where it comes from, what it does, its options, and the line for a pipeline."""
+    """Show a part: where it comes from, what it does, its options, and the line for a pipeline."""
     registry = Registry.discover()
     found = find(name, role, registry)
     if as_json:
@@ -34,7 +34,7 @@ def info(
 
 
 def find(name: str, role: str | None, registry: Registry) -> Installed:
-    """Return the one component of that name, and role if it is given.
+    """Return the one part of that name, and role if it is given.
 
     Raises:
         UnknownPlugin: if there is none, or several; the message lists them.
@@ -44,20 +44,20 @@ def find(name: str, role: str | None, registry: Registry) -> Installed:
     found = [item for item in registry if item.cls.name == name and role in (None, item.cls.role)]
     if len(found) > 1:
         roles = list_names(item.cls.role for item in found)
-        raise UnknownPlugin(f"several components are named '{name}': {roles}. Choose one with --role.")
+        raise UnknownPlugin(f"several parts are named '{name}': {roles}. Choose one with --role.")
     if not found and role is not None:
         registry.get(role, name)  # says what there is instead
     if not found:
         registry.check_not_broken(name)
         raise UnknownPlugin(
-            f"no component is named '{name}'{suggest(name, {item.cls.name for item in registry})}."
+            f"no part is named '{name}'{suggest(name, {item.cls.name for item in registry})}."
             f" `tutorstudent plugins list` shows all.{registry.suspects()}"
         )
     return found[0]
 
 
 def collect_values(found: Installed, registry: Registry) -> dict[str, Any]:
-    """Return what is known about a component as plain values."""
+    """Return what is known about a part as plain values."""
     cls = found.cls
     return {
         "role": cls.role,
@@ -94,7 +94,7 @@ def format_page(found: Installed, registry: Registry) -> Iterator[str]:
 
 
 def format_yaml(found: Installed, registry: Registry) -> str:
-    """Return the line that names a component in a pipeline; what is required and unknown stands as ``...``."""
+    """Return the line that names a part in a pipeline, with ``...`` for required options."""
     role, name = found.cls.role, found.cls.name
     needed = [f"{row.name}: {_make_example(row, found, registry)}" for row in list_options(found.cls) if row.required]
     part = f"{{use: {name}, {', '.join(needed)}}}" if needed else name

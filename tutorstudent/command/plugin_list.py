@@ -18,14 +18,14 @@ from tutorstudent.core.files.registry import Registry
 HEADER = ("role", "name", "plugin", "what it is")
 INDENT = "  "
 LEAST_ROOM = 40
-"""Where a description has less room beside its names, it stands below them."""
+"""Where a description has less room than this beside its name, it goes below."""
 
 
 def plugins_list(
     as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
     strict: Annotated[bool, typer.Option("--strict", help="exit with 1 if any plugin could not be loaded")] = False,
 ) -> None:
-    """List the installed components, and the plugins that could not be loaded with reason and remedy."""
+    """List the installed parts, and the plugins that could not be loaded with reason and remedy."""
     registry = Registry.discover()
     if as_json:
         typer.echo(json.dumps(collect_values(registry), indent=2))
@@ -41,7 +41,7 @@ def plugins_list(
 def collect_values(registry: Registry) -> dict[str, Any]:
     """Return the list as plain values."""
     return {
-        "components": [
+        "parts": [
             {
                 "role": cls.role,
                 "name": cls.name,
@@ -92,7 +92,7 @@ def _align(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _describe(name: str, text: str, width: float) -> list[str]:
-    """Return the lines of a component: the description beside its name, or below it where there is little room."""
+    """Return the lines of a part: the description beside its name, or below it where there is little room."""
     if width == math.inf:
         return [f"{name}{text}".rstrip()]
     room = int(width) - len(name)

@@ -1,4 +1,4 @@
-"""The command line: thin; a mistake of the user's is a sentence on standard error and exit code 2."""
+"""The command line. A user's mistake ends in one sentence on standard error and exit code 2."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def schema(
         return
     with explain_write_errors(out):
         out.write_text(f"{text}\n", encoding="utf-8")
-    _say(f"written to {out}; editors use it where a pipeline begins with the line")
+    _say(f"written to {out}; to use it in an editor, begin a pipeline with the line")
     _say(f"# yaml-language-server: $schema={out.name}")
 
 
@@ -119,7 +119,10 @@ def _run_with_progress(pipeline: Pipeline, title: str, directory: Path) -> Finis
     except KeyboardInterrupt:
         with suppress(OSError):  # it holds an earlier run
             directory.rmdir()
-        typer.echo("interrupted; a run is written at its end, so nothing is. 'compare' keeps finished runs.", err=True)
+        typer.echo(
+            "interrupted. A run is written when it ends, so nothing was written; 'compare' keeps finished runs.",
+            err=True,
+        )
         raise typer.Exit(130) from None
 
 

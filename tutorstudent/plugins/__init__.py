@@ -1,1 +1,1 @@
-"""Reference components; each module registers its own through the one hook."""
+"""Reference parts; each module registers its own through the one hook."""

@@ -1,4 +1,4 @@
-"""What students made of an encoder, something that learns, and a codec have in common."""
+"""The base of students that consist of an encoder, something that learns, and a codec."""
 
 from __future__ import annotations
 

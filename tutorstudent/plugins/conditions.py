@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import abc
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,7 +17,7 @@ from tutorstudent.sims.pioneer.types import PioneerState
 
 @condition("bumped")
 def Bumped(state: PioneerState) -> bool:  # noqa: N802 - it becomes a class
-    """The robot hit an obstacle, as it reports it (Thesis 3.3.5)."""
+    """The robot reports that it hit an obstacle (Thesis 3.3.5)."""
     return state.stalled
 
 
@@ -39,7 +40,7 @@ class Near(Condition[PioneerState]):
 
 
 class _Composed(Condition[StateT]):
-    """Several conditions taken as one."""
+    """Several conditions taken as one. All of them are asked, every time: a condition may have a memory."""
 
     class Options(part.Options):
         """Which conditions."""
@@ -50,19 +51,30 @@ class _Composed(Condition[StateT]):
     def label(self) -> str:
         return f"{self.name}({', '.join(part.label for part in self.options.of)})"
 
+    def violated(self, state: StateT) -> bool:
+        return self._join([part.violated(state) for part in self.options.of])
+
+    def margins(self, state: StateT) -> Sequence[float] | None:
+        found = [part.margins(state) for part in self.options.of]
+        return self._join_margins([() if margins is None else margins for margins in found]) or None
+
+    @abc.abstractmethod
+    def _join(self, answers: list[bool]) -> bool: ...
+
+    @abc.abstractmethod
+    def _join_margins(self, margins: list[Sequence[float]]) -> list[float]: ...
+
 
 class AnyOf(_Composed[StateT]):
     """Violated if any of its conditions is. Its margins are all of theirs."""
 
     name = "any-of"
 
-    def violated(self, state: StateT) -> bool:
-        answers = [part.violated(state) for part in self.options.of]  # all are asked: conditions may have a memory
+    def _join(self, answers: list[bool]) -> bool:
         return any(answers)
 
-    def margins(self, state: StateT) -> Sequence[float] | None:
-        found = [part.margins(state) for part in self.options.of]
-        return [margin for margins in found if margins is not None for margin in margins] or None
+    def _join_margins(self, margins: list[Sequence[float]]) -> list[float]:
+        return [margin for each in margins for margin in each]
 
 
 class AllOf(_Composed[StateT]):
@@ -70,14 +82,11 @@ class AllOf(_Composed[StateT]):
 
     name = "all-of"
 
-    def violated(self, state: StateT) -> bool:
-        answers = [part.violated(state) for part in self.options.of]  # all are asked: conditions may have a memory
+    def _join(self, answers: list[bool]) -> bool:
         return all(answers)
 
-    def margins(self, state: StateT) -> Sequence[float] | None:
-        found = [part.margins(state) for part in self.options.of]
-        nearest = [min(margins) for margins in found if margins is not None and len(margins)]
-        return [max(nearest)] if len(nearest) == len(found) else None
+    def _join_margins(self, margins: list[Sequence[float]]) -> list[float]:
+        return [max(min(each) for each in margins)] if all(map(len, margins)) else []
 
 
 class Not(Condition[StateT]):

@@ -1,4 +1,4 @@
-"""What every comparison is held against: students that learn nothing, and an evaluator that is told nothing.
+"""What comparisons compare with: students that learn nothing, and an evaluator that is told nothing.
 
 The students propose levels only, so a control replaces student, selector (``modifier``) and amplifier (``never``)
 together; ``blind`` replaces the evaluator only.

@@ -52,7 +52,7 @@ def _take_array(problem: str, value: object, shape: Shape) -> NDArray[np.float64
         wanted = ", ".join("any" if length is None else str(length) for length in shape)
         raise ContractError(
             f"{problem}: found the shape {array.shape}, it takes ({wanted}); "
-            "load it into a component with the options and parts that it was saved with."
+            "load it into a part with the options that it was saved with."
         )
     if not np.isfinite(array).all():
         raise ContractError(f"{problem}: some of its values are not finite.")

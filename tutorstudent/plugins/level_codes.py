@@ -24,7 +24,7 @@ def to_bits(number: int, width: int) -> tuple[float, ...]:
     >>> to_bits(6, 4)
     (0.0, 1.0, 1.0, 0.0)
     """
-    return tuple(float(number >> place & 1) for place in reversed(range(width)))
+    return tuple(float(number >> digit & 1) for digit in reversed(range(width)))
 
 
 def from_bits(values: Sequence[float]) -> int:

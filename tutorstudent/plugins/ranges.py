@@ -15,6 +15,7 @@ from tutorstudent.core.roles import part
 from tutorstudent.core.roles.hookspecs import hookimpl
 from tutorstudent.core.roles.leaves import Encoder, Vector
 from tutorstudent.core.roles.part import Component, Field
+from tutorstudent.core.words.actions import ComponentSpec
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.records import Moment
 
@@ -45,14 +46,9 @@ class Ranges(Encoder[Any, Any]):
 
     def setup(self) -> None:
         self._part = operator.attrgetter(self.options.of) if self.options.of else None
-        components = self.action_class.vocabulary.components.values()
-        bounds = [
-            (low if math.isfinite(low) else neutral - scale, high if math.isfinite(high) else neutral + scale)
-            for _, low, high, scale, neutral, *_ in components
-            if math.isfinite(scale)
-        ]
-        self._components = [spec.name for spec in components if math.isfinite(spec.scale)]
-        bounds += self.options.ranges
+        specs = [spec for spec in self.action_class.vocabulary.components.values() if math.isfinite(spec.scale)]
+        self._components = [spec.name for spec in specs]
+        bounds = [*map(_find_range, specs), *self.options.ranges]
         if any(not low < high for low, high in bounds):
             raise ContractError("encoder 'ranges': every range is a low and a high number, low below high.")
         low, high = np.array(bounds).T
@@ -75,9 +71,17 @@ class Ranges(Encoder[Any, Any]):
         return found
 
     def encode(self, moment: Moment[Any, Any]) -> Vector:
+        """Return the bits, shape (width,): of each component in the action class's order, then of each state number.
+
+        The bits of a number ascend; each is 1 where the number lies above its threshold. A number beyond its range has
+        all bits 0 or all 1.
+
+        Raises:
+            ValueError: if the state has not as many numbers as there are ranges.
+        """
         own, numbers = len(self._components), self._numbers[:, 0]
-        for place, name in enumerate(self._components):
-            numbers[place] = getattr(moment.tutor_action, name)
+        for index, name in enumerate(self._components):
+            numbers[index] = getattr(moment.tutor_action, name)
         if self.options.ranges:
             state = _read_array(moment.state if self._part is None else self._part(moment.state))
             if state.size != len(numbers) - own:
@@ -85,6 +89,12 @@ class Ranges(Encoder[Any, Any]):
             numbers[own:] = state.ravel()
         bits: Vector = np.greater(self._numbers, self._thresholds, out=np.empty(self._thresholds.shape))
         return bits.ravel()
+
+
+def _find_range(spec: ComponentSpec) -> tuple[float, float]:
+    low = spec.low if math.isfinite(spec.low) else spec.neutral - spec.scale
+    high = spec.high if math.isfinite(spec.high) else spec.neutral + spec.scale
+    return low, high
 
 
 def _read_array(state: Any) -> Vector:

@@ -1,10 +1,11 @@
-"""A whole study: plan, drawings, the search for a level, every run, tables and page; begun or gone on with."""
+"""A whole study, begun or resumed: plan, drawings, the search for a level, every run, tables and page."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
+from typing import NamedTuple
 
 from tutorstudent.core.files.durable import PARTIAL, lock_folder, remove_partial
 from tutorstudent.core.files.registry import Registry
@@ -23,6 +24,13 @@ from tutorstudent.study.runs.sketches import save_sketch
 from tutorstudent.study.runs.timing import Sitting
 
 
+class Workforce(NamedTuple):
+    """Who runs the jobs, and in how many processes."""
+
+    workers: int
+    backend: Backend
+
+
 def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
     """Run a plan as ``tutorstudent compare`` does: `run_plan`, then the tables and the page."""
     from tutorstudent.study.page.report import write_report  # matplotlib is an extra
@@ -32,10 +40,10 @@ def run_study(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOK
 
 
 def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY) -> Study:
-    """Run whatever a plan says, with its progress on standard error; write no report.
+    """Run a plan, with its progress on standard error; write no report.
 
-    Where the folder holds a study of the same plan, the study goes on: complete runs stay, all others are run. The
-    results are the same, to the last byte, for any number of workers and interruptions; only the timing is not.
+    If the folder holds a study of the same plan, that study goes on: complete runs stay, all others are run. Results
+    are the same to the last byte for any number of workers and interruptions, except for the timing.
 
     Args:
         plan: From `make_plan`, or put together by hand.
@@ -57,7 +65,7 @@ def run_plan(plan: Plan, folder: Path, workers: int = 1, backend: Backend = LOKY
 
 
 def begin(plan: Plan, folder: Path) -> None:
-    """Write the plan into its folder, with a drawing of every environment; or make sure that it stands there.
+    """Write the plan into its folder with a drawing of every environment, or make sure that it is there.
 
     Raises:
         PipelineError: if the folder holds something else, another plan, or cannot be written.
@@ -75,7 +83,7 @@ def begin(plan: Plan, folder: Path) -> None:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that holds something already.
+    """Refuse a folder that is not empty.
 
     Raises:
         PipelineError: if it does, or cannot be read.
@@ -94,7 +102,7 @@ def check_folder(folder: Path) -> None:
 
 
 def check_same(plan: Plan, folder: Path) -> None:
-    """Refuse to go on with a study that is about something else, or was begun with other versions.
+    """Refuse to resume a study with another plan, or one that was begun with other versions.
 
     Raises:
         PipelineError: with what differs.
@@ -102,8 +110,9 @@ def check_same(plan: Plan, folder: Path) -> None:
     check_versions(folder)
     there = load_plan(folder)
     if there != plan:
+        differences = find_differences(make_data(there), make_data(plan))
         raise PipelineError(
-            f"{folder}: its {FILE} is about another study. What differs: {find_differences(make_data(there), make_data(plan))}. "
+            f"{folder}: its {FILE} is that of another study. What differs: {differences}. "
             "Leave the pipelines out to go on with the one that is there, or give another folder."
         )
 
@@ -121,7 +130,7 @@ def _draw(plan: Plan, folder: Path) -> None:
 
 def _run_all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     """Run the search, if there is one, and then everything else; return the plan with what was found."""
-    sitting, workforce = Sitting(folder, workers), (workers, backend)
+    sitting, workforce = Sitting(folder, workers), Workforce(workers, backend)
     if plan.search is not None:
         _run_jobs("search: constant levels", plan.search.plan.jobs(), folder / FOLDER, sitting, workforce)
         searched = find_levels(plan.search, folder)
@@ -132,7 +141,7 @@ def _run_all(plan: Plan, folder: Path, workers: int, backend: Backend) -> Plan:
     return plan
 
 
-def _run_jobs(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: tuple[int, Backend]) -> None:
+def _run_jobs(title: str, jobs: Sequence[Job], folder: Path, sitting: Sitting, workforce: Workforce) -> None:
     left = pending(folder, jobs)
     with closing(run_jobs(left, folder, *workforce)) as results:
         for _ in show_progress(results, title, len(jobs), done=len(jobs) - len(left)):

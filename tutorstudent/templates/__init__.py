@@ -1,1 +1,1 @@
-"""New plugins from templates: `tutorstudent plugins new`. The templates themselves stand in `files`."""
+"""New plugins from templates: `tutorstudent plugins new`. The templates are in `files`."""

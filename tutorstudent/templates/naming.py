@@ -23,7 +23,7 @@ class Names(NamedTuple):
     module: str
     """``wall_follower``."""
     class_name: str
-    """``WallFollower``, with the role behind it where that is not said already."""
+    """``WallFollowerTutor``: the role is added unless the name ends with it."""
 
 
 def make_names(role: str, name: str, registry: Registry) -> Names:
@@ -61,7 +61,9 @@ def _check_module(role: str, name: str, module: str) -> None:
     if keyword.iskeyword(module) or module in ("tests", "test"):
         raise PipelineError(f"{where}: '{module}' cannot be the name of a module; choose another, as in 'my-{name}'.")
     if importlib.util.find_spec(module) is not None:
-        raise PipelineError(f"{where}: there is a module '{module}' already; choose another name, as in 'my-{name}'.")
+        raise PipelineError(
+            f"{where}: a module '{module}' is installed already; choose another name, as in 'my-{name}'."
+        )
 
 
 def _check_not_taken(role: str, name: str, registry: Registry) -> None:

@@ -12,7 +12,7 @@ PLAIN = {
     "conditions": "[bumped]",
     "observers": "[attractors]",
 }
-"""Every slot, where the new part is none of it."""
+"""Every slot as it is where the new part does not go."""
 
 _LEVELS = {"selector": "modifier"}
 

@@ -14,7 +14,7 @@ from tutorstudent.templates.pipelines import fill_slots
 
 SUFFIX = ".in"
 BESIDE = {"tutor": ("Approaches",)}
-"""What an example brings beside the part that was asked for, by role: what it counts makes a comparison tell more."""
+"""What an example adds to the part, by role: an observer, so that a comparison has something to count."""
 
 
 def write_plugin(names: Names, out: Path) -> list[Path]:
@@ -25,11 +25,11 @@ def write_plugin(names: Names, out: Path) -> list[Path]:
         out: The folder; it must be new or empty.
 
     Raises:
-        PipelineError: if the folder is not, or cannot be written.
+        PipelineError: if it is neither, or cannot be written.
     """
     with explain_write_errors(out):
         if out.exists() and (not out.is_dir() or any(out.iterdir())):
-            raise PipelineError(f"{out}: there is something of that name already; give another folder with --out.")
+            raise PipelineError(f"{out}: it exists and is not an empty folder; give another folder with --out.")
         return [_write(out / path, text) for path, text in make_contents(names).items()]
 
 
@@ -58,7 +58,7 @@ def _make_values(names: Names) -> dict[str, str]:
 
 
 def _list_classes(names: Names) -> dict[str, str]:
-    """Return the plugin's classes as its files list them; sorted where a linter wants them to be."""
+    """Return the plugin's classes as its files list them, sorted where a linter wants that."""
     provided = [names.class_name, *BESIDE.get(names.role, ())]
     exported = ", ".join(f'"{name}"' for name in sorted(provided))
     return {"provided": ", ".join(provided), "imported": ", ".join(sorted(provided)), "exported": exported}

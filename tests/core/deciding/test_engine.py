@@ -180,7 +180,7 @@ def test_each_part_draws_from_a_stream_of_its_own() -> None:
 def test_a_part_stands_in_one_engine_only() -> None:
     student = level(1)
     engine(forward(0.1), student)
-    with pytest.raises(ContractError, match="student 'scripted-level' already stands at 'student' of a pipeline"):
+    with pytest.raises(ContractError, match="student 'scripted-level' is already at 'student' of a pipeline"):
         engine(forward(0.1), student)
 
 

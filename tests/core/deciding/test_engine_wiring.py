@@ -71,11 +71,11 @@ def test_two_conditions_of_one_name_are_refused() -> None:
     assert message == "condition 'says' stands there twice; each condition has a name of its own."
 
 
-def test_a_nested_part_stands_in_one_place_only() -> None:
+def test_a_nested_part_has_one_slot_only() -> None:
     shared = Additive()
     engine(forward(0.1), level(1), amplifier=Never(change=shared))
     message = refusal(amplifier=Never(change=shared))
-    assert message == "change 'additive' already stands at 'amplifier.change' of a pipeline; make one for each place."
+    assert message == "change 'additive' is already at 'amplifier.change' of a pipeline; make one for each slot."
 
 
 def test_parts_are_told_their_slots() -> None:

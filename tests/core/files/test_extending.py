@@ -134,7 +134,7 @@ def test_a_mistake_is_told_in_the_file_in_which_it_stands(base: str, own: str, m
 @pytest.mark.parametrize(
     ("named", "message"),
     [
-        ("bse.yaml", "child.yaml:1:1: extends: there is no file bse.yaml. A path is read relative to the file"),
+        ("bse.yaml", "child.yaml:1:1: extends: there is no file bse.yaml. The path is relative to the file"),
         ("below", "child.yaml:1:1: extends: there is no file below."),
         (f"{'x' * 999}.yaml", "child.yaml:1:1: extends: there is no file xxx"),
         ('"a\\0b"', "child.yaml:1:1: extends: there is no file a\0b."),
@@ -168,7 +168,7 @@ def test_a_file_that_cannot_be_extended_is_refused_with_its_place(named: str, me
 @pytest.mark.usefixtures("folder")
 def test_extends_cannot_be_set_from_elsewhere() -> None:
     pipeline = Pipeline.read("base.yaml", REGISTRY)
-    message = r"base.yaml \(with extends=other.yaml\): extends: only a file can extend another; write the key into"
+    message = r"base.yaml \(with extends=other.yaml\): extends: 'extends' works only in a file; write it there"
     with pytest.raises(PipelineError, match=message):
         pipeline.replaced({"extends": "other.yaml"})
 

@@ -84,7 +84,7 @@ def test_the_shipped_plugins_all_load() -> None:
         ("observer", {"attractors"}),
     ],
 )
-def test_every_role_has_its_shipped_components(role: str, names: set[str]) -> None:
+def test_every_role_has_its_shipped_parts(role: str, names: set[str]) -> None:
     found = Registry.discover().of(role)
     assert names <= {installed.cls.name for installed in found if installed.distribution.startswith("tutorstudent ")}
 
@@ -100,13 +100,16 @@ def test_a_third_party_is_found(plugin: Any) -> None:
         ({}, "'fake_bad' has no hook tutorstudent_components() marked with @tutorstudent.hookimpl."),
         ({"tutorstudent_component": hook(Pusher)}, "unknown hook 'tutorstudent_component' in plugin"),
         ({"tutorstudent_components": hook(Abstract)}, "tutor 'abstract' (Abstract) does not implement act."),
-        ({"tutorstudent_components": hook("pusher")}, "tutorstudent_components() returned 'pusher'; return component"),
+        (
+            {"tutorstudent_components": hook("pusher")},
+            "tutorstudent_components() returned 'pusher'; return part classes.",
+        ),
         ({"tutorstudent_components": hook(Unnamed)}, "Unnamed has the name 'Not A Name'; names are like"),
         ({"tutorstudent_components": hook(Nameless)}, "Nameless has the name 'None'; names are like"),
         ({"tutorstudent_components": returning(None)}, "tutorstudent_components() returned []; return a list"),
-        ({"tutorstudent_components": returning(Pusher)}, "return a list of component classes."),
+        ({"tutorstudent_components": returning(Pusher)}, "return a list of part classes."),
         ({"tutorstudent_components": hook(Roleless)}, "Roleless has the role ''; roles are"),
-        ({"tutorstudent_components": hook(Pusher, Pusher)}, "tutor 'pusher' of 'bad' stands there twice"),
+        ({"tutorstudent_components": hook(Pusher, Pusher)}, "tutor 'pusher' of 'bad' is there twice"),
     ],
 )
 def test_a_broken_plugin_says_why_and_stops_nobody(plugin: Any, contents: Any, reason: str) -> None:
@@ -187,8 +190,8 @@ def test_naming_a_broken_plugin_says_that_it_is_broken() -> None:
     [
         ([Abstract], "tutor", "abstract", "tutor 'abstract' (Abstract) does not implement act. Tell the authors of"),
         ([Abstract, Rail], "world", "rail", "tutor 'abstract' (Abstract) does not implement act."),
-        ([Rail, Pusher()], "tutor", "pusher", "return component classes."),
-        ([Rail, Rail], "world", "rail", "world 'rail' of 'bad' stands there twice; rename one of them."),
+        ([Rail, Pusher()], "tutor", "pusher", "return part classes."),
+        ([Rail, Rail], "world", "rail", "world 'rail' of 'bad' is there twice; rename one of them."),
     ],
 )
 def test_naming_a_part_of_a_broken_plugin_says_why_it_is_not_there(

@@ -134,7 +134,7 @@ def test_arrays_of_objects_are_refused(tmp_path: Path) -> None:
 
 def test_a_directory_with_other_things_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.txt").write_text("mine")
-    with pytest.raises(PipelineError, match="holds something that is no run; name another directory."):
+    with pytest.raises(PipelineError, match="holds something other than a run; name another directory."):
         prepare(tmp_path)
     with pytest.raises(PipelineError, match="is a file; name a directory for the run."):
         prepare(tmp_path / "thesis.txt")

@@ -11,11 +11,12 @@ import jsonschema
 import pytest
 
 from tests.core.toys import PIPELINE, toy_registry
-from tutorstudent.core.files.pipeline import KEYS, SLOTS, Pipeline
+from tutorstudent.core.files.pipeline import KEYS, Pipeline
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.schema import make_schema
 from tutorstudent.core.files.yamlfile import parse_yaml, read_yaml
+from tutorstudent.core.roles.interfaces import SLOTS
 
 ROOT = Path(__file__).parents[3]
 SHIPPED = sorted((ROOT / "examples").rglob("*.yaml"))
@@ -126,7 +127,7 @@ def test_every_reference_of_the_schema_leads_somewhere(schema: dict[str, Any]) -
     assert set() == {ref for ref in found if ref.removeprefix("#/$defs/") not in schema["$defs"]}
 
 
-def test_every_option_of_every_component_is_described(schema: dict[str, Any]) -> None:
+def test_every_option_of_every_part_is_described(schema: dict[str, Any]) -> None:
     options = {
         f"{name}.{option}": value
         for name, definition in schema["$defs"].items()

@@ -58,7 +58,7 @@ def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
         ),
         ("a: 1\nb: \0\n", "f.yaml:2:4: not valid YAML: the character #x0000 is not allowed. Remove it."),
         ("%YAML 3.0\n---\na: 1", "f.yaml:1:1: not valid YAML: found incompatible YAML document"),
-        ("a: {b: 1, c: 2,\nb: 2}\n", "f.yaml:2:1: a.b: this key is in line 1 already; keep one of them."),
+        ("a: {b: 1, c: 2,\nb: 2}\n", "f.yaml:2:1: a.b: this key is in line 1 too; keep one of them."),
         (
             "a: !!python/object/apply:os.system [echo]\n",
             "f.yaml:1:4: a: the tag '!!python/object/apply:os.system' is not",
@@ -83,18 +83,18 @@ def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
         (f"a: {'9' * 5000}\n", "f.yaml:1:4: a: '9999999999999999999999999999999999999...' is no int that can be read."),
         (
             "a: 017\n",
-            "f.yaml:1:4: a: '017' is no int: with a leading zero it is octal to some; write 17, or 0o17 if that",
+            "f.yaml:1:4: a: '017' is no int: with a leading zero some read it as octal; write 17, or 0o17 if that",
         ),
         (
             "a: -00\n",
-            "f.yaml:1:4: a: '-00' is no int: with a leading zero it is octal to some; write 0, or 0o0 if that",
+            "f.yaml:1:4: a: '-00' is no int: with a leading zero some read it as octal; write 0, or 0o0 if that",
         ),
-        (f"a: {'[' * 300}{']' * 300}\n", "f.yaml:1:53: not valid YAML: it is nested too deeply; write it"),
+        (f"a: {'[' * 300}{']' * 300}\n", "f.yaml:1:53: not valid YAML: it is nested too deeply; make it"),
         (f"a: {'{a: ' * 300}1{'}' * 300}\n", "f.yaml:1:197: not valid YAML: it is nested too deeply"),
-        (f"{'- ' * 60}x\n", "f.yaml:1:101: not valid YAML: it is nested too deeply; write it flat."),
-        ("a: &a {<<: *a}\n", "f.yaml: it is nested too deeply, or in itself; write it flat."),
-        ("&a {b: *a}\n", "f.yaml:1:1: b.b.b: it is nested too deeply, or in itself; write it flat."),
-        ("#" * 500_001, "f.yaml: it has 500,001 characters; a file that is read has 500,000 at most."),
+        (f"{'- ' * 60}x\n", "f.yaml:1:101: not valid YAML: it is nested too deeply; make it flatter."),
+        ("a: &a {<<: *a}\n", "f.yaml: it is nested too deeply, or contains itself; make it flatter."),
+        ("&a {b: *a}\n", "f.yaml:1:1: b.b.b: it is nested too deeply, or contains itself; make it flatter."),
+        ("#" * 500_001, "f.yaml: it has 500,001 characters; 500,000 are allowed."),
     ],
 )
 def test_what_is_not_plain_yaml_is_refused_with_its_place(text: str, message: str) -> None:
@@ -116,7 +116,7 @@ def bomb(begin: str, line: str) -> str:
     ],
 )
 def test_aliases_cannot_stand_for_more_than_a_file_may_hold(text: str, place: str) -> None:
-    with pytest.raises(PipelineError, match="there are more than 100,000 values, repeated ones included") as caught:
+    with pytest.raises(PipelineError, match="there are more than 100,000 values, counting repeated ones") as caught:
         parse_yaml(text, "f.yaml")
     assert str(caught.value).startswith(place)
 

@@ -21,7 +21,7 @@ from tutorstudent.sims.pioneer.types import DriveAction
         (lambda: LearningPhase(decisons=3), "amplifier 'learning-phase': unknown option 'decisons' (did you mean"),
         (lambda: LearningPhase(decisions=-1), "option 'decisions': input should be greater than or equal to 0, found"),
         (lambda: LearningPhase(amount=float("nan")), "option 'amount': input should be"),
-        (lambda: LearningPhase(change="additive"), "must be a component (Change), not 'additive'; in Python give an"),
+        (lambda: LearningPhase(change="additive"), "must be a part (Change), not 'additive'; in Python give an"),
         (lambda: TableStudent(), "student 'table': option 'encoder' is required."),
     ],
 )
@@ -31,8 +31,8 @@ def test_wrong_options_are_told_with_what_is_allowed(build: Any, message: str) -
     assert message in str(caught.value)
 
 
-def test_a_default_that_is_a_component_is_refused_where_it_is_written() -> None:
-    with pytest.raises(ts.ContractError, match=r"change: the default is a component, .*default_factory=Additive"):
+def test_a_default_that_is_a_part_is_refused_where_it_is_written() -> None:
+    with pytest.raises(ts.ContractError, match=r"change: the default is one part, .*default_factory=Additive"):
 
         class Shared(ts.Options):
             change: ts.Part[ts.Change] = Additive()
@@ -51,14 +51,14 @@ def test_a_default_of_the_wrong_type_is_refused() -> None:
         def amplify(self, selected: Any, decision_number: int) -> Any:
             return selected
 
-    with pytest.raises(ts.PipelineError, match="option 'change' must be a component"):
+    with pytest.raises(ts.PipelineError, match="option 'change' must be a part"):
         Loud()
 
 
-def test_a_component_has_one_place() -> None:
+def test_a_part_has_one_slot() -> None:
     student = Random()
     student.bind(Binding(1, "student", DriveAction))
-    with pytest.raises(ts.ContractError, match="student 'random' already stands at 'student' of a pipeline"):
+    with pytest.raises(ts.ContractError, match="student 'random' is already at 'student' of a pipeline"):
         student.bind(Binding(1, "student", DriveAction))
 
 
@@ -68,7 +68,7 @@ def test_streams_depend_on_seed_and_slot_only() -> None:
     assert 6 == len(drawn)
 
 
-def test_a_component_describes_itself_as_a_pipeline_would_name_it() -> None:
+def test_a_part_describes_itself_as_a_pipeline_would_name_it() -> None:
     described = {"use": "learning-phase", "amount": 0.1, "change": {"use": "additive"}, "decisions": 9, "hold_at": None}
     assert described == LearningPhase(decisions=9).describe()
 

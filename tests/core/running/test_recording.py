@@ -86,7 +86,7 @@ def test_a_condition_label_may_hold_a_slash(tmp_path: Path) -> None:
 
 
 def test_a_key_that_is_no_string_is_refused() -> None:
-    with pytest.raises(ContractError, match="the key 1 of learned state is no string; use strings."):
+    with pytest.raises(ContractError, match="the key 1 of learned state is not a string; use strings."):
         flatten({"student": {1: 2.0, "1": 3.0}})
 
 

@@ -122,7 +122,7 @@ def test_what_another_student_learned(learned: Path) -> None:
 def test_a_student_of_another_size(learned: Path) -> None:
     message = refused(learned, NETWORK.replace("hidden: 5", "hidden: 6"))
     assert "student 'backprop' cannot load 'hidden_weights': found the shape (5, " in message
-    assert "load it into a component with the options and parts that it was saved with" in message
+    assert "load it into a part with the options that it was saved with" in message
 
 
 def test_a_third_partys_student_that_raises_whatever_it_likes(learned: Path) -> None:

@@ -37,7 +37,7 @@ BAD_ANSWERS = {
     "says half a line": ("sys.stdout.write('{\"type\":'); sys.stdout.flush()", "no answer within 0.2 s"),
     "floods stderr": ("while True: sys.stderr.write('x' * 70000)", "no answer within 0.2 s"),
     "answers the decision before, for ever": ("while True: answer(number - 1, 0.9)", "no answer within 0.2 s"),
-    "dies": ("sys.exit(3)", "it ended with exit status 3. It is not started again (restarts: 0)"),
+    "dies": ("sys.exit(3)", "it ended with exit status 3. It is not restarted (restarts: 0)"),
     "is killed": ("os.kill(os.getpid(), 9)", "it was ended by signal 9."),
     "says why it dies": ("raise SystemExit('the motor is hot')", "Its standard error ends: the motor is hot"),
     "closes its output": ("os.close(1); time.sleep(1000)", "it closed its standard output."),
@@ -170,7 +170,7 @@ def test_a_program_that_died_is_started_again_and_asked_the_same(tmp_path: Path)
 
 def test_after_the_last_restart_it_fails_for_good() -> None:
     part = tutor(answering("sys.exit(3)"), deadline_s=20.0, restarts=2)
-    message = re.escape("it ended with exit status 3. It is not started again (all 2 restarts are used up)")
+    message = re.escape("it ended with exit status 3. It is not restarted (all 2 restarts are used up)")
     for _ in range(2):
         with pytest.raises(ts.ContractError, match=message):
             part.act(0.0)
@@ -181,7 +181,7 @@ def test_a_restart_that_is_not_due_yet_is_not_waited_for() -> None:
     part = tutor(answering("sys.exit(3)"), deadline_s=5.0, restarts=5, backoff_s=60.0)
     begun_s = time.monotonic()
     for _ in range(3):
-        with pytest.raises(ts.ContractError, match=re.escape("exit status 3. It is started again later (backoff_s)")):
+        with pytest.raises(ts.ContractError, match=re.escape("exit status 3. It is restarted later (backoff_s)")):
             part.act(0.0)
     assert time.monotonic() - begun_s < GENEROUS_S
     part.close()
@@ -201,7 +201,7 @@ def test_a_restart_that_takes_long_does_not_hold_the_loop_up_and_ends_well(tmp_p
         except ts.ContractError as error:
             return str(error)
 
-    assert eventually(lambda: outcome().endswith("it ended with exit status 3. It is being started again."))
+    assert eventually(lambda: outcome().endswith("it ended with exit status 3. It is being restarted."))
     go.touch()
     assert eventually(lambda: outcome() == "0.5")
     part.close()

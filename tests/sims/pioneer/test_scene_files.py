@@ -163,7 +163,7 @@ def test_a_file_that_is_no_plain_yaml_is_refused_with_the_place_and_without_the_
 def test_a_list_that_holds_itself_is_no_scene(tmp_path):
     path = tmp_path / "endless.yaml"
     path.write_text("description: &x [*x]\n")
-    assert complaint(path).startswith(f"{path}:1:14: description.0.0: it is nested too deeply, or in itself")
+    assert complaint(path).startswith(f"{path}:1:14: description.0.0: it is nested too deeply, or contains itself")
 
 
 def test_a_file_that_is_no_text(tmp_path):

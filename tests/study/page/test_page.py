@@ -194,10 +194,10 @@ def test_the_search_stands_in_the_section_of_its_environment(first: Study) -> No
 
 
 def test_a_section_is_a_function_in_a_list(first: Study, monkeypatch: pytest.MonkeyPatch) -> None:
-    def seeds(place: sections.Place) -> str | None:
-        return f"<p>of {len(place.study.plan.seeds)} seeds in {place.environment.name}</p>"
+    def seeds(chapter: sections.Chapter) -> str | None:
+        return f"<p>of {len(chapter.study.plan.seeds)} seeds in {chapter.environment.name}</p>"
 
-    monkeypatch.setattr(sections, "IN_AN_ENVIRONMENT", (seeds, lambda place: None))
+    monkeypatch.setattr(sections, "IN_AN_ENVIRONMENT", (seeds, lambda chapter: None))
     monkeypatch.setattr(sections, "OF_THE_STUDY", (sections.environments, lambda study: "<p>the end</p>"))
     shown = make_page(first)
     assert "<p>of 3 seeds in short</p>" in section_of(shown, "short")

@@ -165,7 +165,7 @@ def test_another_plan_is_refused_with_what_differs(planned: Planned, folder: Pat
     with pytest.raises(PipelineError) as caught:
         run_plan(planned(runs=3, decisions=30, controls=False), folder)
     message = str(caught.value)
-    assert "plan.json is about another study. What differs: decisions: 20 there, 30 now; seeds: [0, 1] " in message
+    assert "plan.json is that of another study. What differs: decisions: 20 there, 30 now; seeds: [0, 1] " in message
     assert "environments.short.variants.ramp: only there" in message
     assert "Leave the pipelines out to go on with the one that is there, or give another folder." in message
     assert ["plan.json"] == [path.name for path in folder.iterdir()]
@@ -215,7 +215,7 @@ def test_the_command_goes_on_with_the_same_pipelines_and_begins_where_there_is_n
 def test_what_the_plan_says_is_not_said_again(folder: Path, said: list[object], named: str) -> None:
     result = resume("--out", folder, *said)
     assert isinstance(result.exception, PipelineError)
-    assert f"--resume with {named}: the plan in {folder} says that already; leave " in str(result.exception)
+    assert f"--resume with {named}: the plan in {folder} already decides that; leave " in str(result.exception)
 
 
 def test_there_is_nothing_to_go_on_with_without_a_plan(folder: Path) -> None:

@@ -1,4 +1,4 @@
-"""Builds components from plain values, and says where a mistake stands."""
+"""Builds parts from plain values, and says where in the file a mistake is."""
 
 from __future__ import annotations
 
@@ -19,16 +19,19 @@ ModelT = TypeVar("ModelT", bound=BaseModel)
 
 
 class Assembler:
-    """Turns the values of a document into components of the registry."""
+    """Makes parts of the values of a document."""
 
     def __init__(self, document: Document, registry: Registry) -> None:
         self._document = document
         self._registry = registry
-        self.slots: dict[str, Location] = {}
-        """Where slots stand in the document that are named otherwise there, such as ``conditions.bumped``."""
+        self._slots: dict[str, Location] = {}
+
+    def place_slot(self, slot: str, at: Location) -> None:
+        """Say where a slot is in the document, if it has another name there, such as ``conditions.bumped``."""
+        self._slots[slot] = at
 
     def make_part(self, role: str, node: Any, at: Location) -> Any:
-        """Return the component that a node names: a word, or a mapping with ``use`` and the options beside it."""
+        """Return the part that a node names: a word, or a mapping with ``use`` and the options beside it."""
         if isinstance(node, Component):
             return node
         word = isinstance(node, str)
@@ -51,21 +54,23 @@ class Assembler:
             name = next((name for name in known if name in node), "name")
             return self.make_error(
                 at,
-                f"there is no 'use' in it; name {with_article(role)} and write its options beside that, as in {{use: {name}}}.",
+                f"there is no 'use' in it; name {with_article(role)} and write its options beside that, "
+                f"as in {{use: {name}}}.",
             )
         return self.make_error(
             at,
-            f"found {quote(node)}; {with_article(role)} is named by a word or by a mapping with 'use', as in {{use: name}}.",
+            f"found {quote(node)}; {with_article(role)} is named by a word or by a mapping with 'use', "
+            "as in {use: name}.",
         )
 
     def make_parts(self, role: str, node: Any, at: Location) -> list[Any]:
-        """Return the components that a list names."""
+        """Return the parts that a list names."""
         if not isinstance(node, list | tuple):
             raise self.make_error(at, f"found {quote(node)}; write a list, as in [name] or [{{use: name}}].")
         return [self.make_part(role, item, (*at, i)) for i, item in enumerate(node)]
 
     def make_model(self, model: type[ModelT], values: dict[str, Any], at: Location, what: str) -> ModelT:
-        """Return the validated model, or say where the first mistake stands."""
+        """Return the validated model, or say where the first mistake is."""
         try:
             return model(**values)
         except ValidationError as error:
@@ -84,7 +89,7 @@ class Assembler:
 
     @contextmanager
     def locate_errors(self, at: Location) -> Iterator[None]:
-        """Let every error of ours say where: at the part that was being bound, else at `at`."""
+        """Put a position before every error of ours: that of the part to blame, else `at`."""
         try:
             yield
         except TutorStudentError as error:
@@ -109,7 +114,7 @@ class Assembler:
         return self.make_part(option.role.role, value, at)
 
     def _find_location(self, slot: str) -> Location:
-        for name, at in self.slots.items():
+        for name, at in self._slots.items():
             if slot == name or slot.startswith(f"{name}."):
                 return (*at, *_split_keys(slot[len(name) + 1 :]))
         return _split_keys(slot)

@@ -1,4 +1,4 @@
-"""Files and folders that are there completely or not at all, at whatever moment the power or the process goes."""
+"""Files and folders that are written completely or not at all, even if the process is killed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from uuid import uuid4
 from tutorstudent.core.words.errors import PipelineError
 
 PARTIAL = ".partial"
-"""Ends the name of what is being written; it begins with a dot."""
+"""The suffix of what is still being written; its name begins with a dot."""
 
 
 def write_whole(path: Path, text: str) -> None:
@@ -28,30 +28,30 @@ def write_whole(path: Path, text: str) -> None:
 
 
 @contextmanager
-def replace_folder(place: Path) -> Iterator[Path]:
-    """Yield an empty folder beside the place; at the end it takes the place of whatever stands there.
+def replace_folder(folder: Path) -> Iterator[Path]:
+    """Yield an empty folder beside `folder`; at the end it replaces whatever is there.
 
-    Its files must not be in folders of their own. If an error ends the block, the place stays as it was.
+    It must hold files only, no folders. If an error ends the block, `folder` stays as it was.
     """
     # Another name each time: a process that outlived its study may still be writing the same run.
-    partial = place.with_name(f".{place.name}.{uuid4().hex}{PARTIAL}")
+    partial = folder.with_name(f".{folder.name}.{uuid4().hex}{PARTIAL}")
     partial.mkdir(parents=True)
     try:
         yield partial
         for path in partial.iterdir():
             _sync_file(path)
         _sync_folder(partial)
-        if place.exists():
-            shutil.rmtree(place)
-        partial.replace(place)
+        if folder.exists():
+            shutil.rmtree(folder)
+        partial.replace(folder)
     finally:
         shutil.rmtree(partial, ignore_errors=True)
-    _sync_folder(place.parent)
+    _sync_folder(folder.parent)
 
 
 @contextmanager
 def lock_folder(folder: Path) -> Iterator[None]:
-    """Keep two processes of one machine from working in one folder, where the system can; nothing is left behind.
+    """Keep a second process on this machine out of a folder, where the system can; leaves no file behind.
 
     Raises:
         PipelineError: if another one does.
@@ -72,7 +72,7 @@ def lock_folder(folder: Path) -> Iterator[None]:
 
 
 def remove_partial(folder: Path) -> None:
-    """Remove what a process that was killed had not finished writing, at any depth."""
+    """Remove what a killed process had not finished writing, at any depth."""
     for path in sorted(folder.rglob(f".*{PARTIAL}")):
         if path.is_dir():
             shutil.rmtree(path)

@@ -10,14 +10,14 @@ from tutorstudent.core.words.errors import PipelineError
 
 EXTENDS = "extends"
 WHOLE: tuple[Location, ...] = (("on_tutor_failure",),)
-"""Mappings that are one value: of an action, no component is left over from another action."""
+"""Mappings that are replaced as a whole: the components of two actions are not mixed."""
 
 
 def read_extended(path: Path) -> Document:
     """Read a YAML file and all that it extends, as one document in which every value knows its own file.
 
-    Mappings are merged key by key; lists and scalars take the place of what was there. Where ``use`` names another
-    component than before, none of the options that stood beside it are kept. A word is short for ``{use: word}``.
+    Mappings are merged key by key; lists and scalars are replaced. Where ``use`` names another part than before, the
+    old options are dropped. A word is short for ``{use: word}``.
 
     Raises:
         PipelineError: if a file cannot be read or leads back to itself; the message says where and what to do.
@@ -46,10 +46,10 @@ def _find_base(document: Document, path: Path, chain: list[Path]) -> Path:
         )
     base = path.parent / named
     if not _is_file(base):
-        raise _make_error(document, f"there is no file {base}. A path is read relative to the file in which it stands.")
+        raise _make_error(document, f"there is no file {base}. The path is relative to the file that names it.")
     if base.resolve() in [known.resolve() for known in chain]:
         way = " -> ".join(str(known) for known in [*chain, base])
-        raise _make_error(document, f"the files extend each other in a circle: {way}; one of them must stand alone.")
+        raise _make_error(document, f"the files extend each other in a circle: {way}; one of them must extend nothing.")
     return base
 
 
@@ -73,7 +73,7 @@ def _merge(base: Document, own: Document) -> Document:
 
 
 class _Merge:
-    """Lays values over those of a base, and keeps the places of what is left of it."""
+    """Merges values into those of a base, and keeps the places of what is left of the base."""
 
     def __init__(self, base: Document) -> None:
         self.places = {at: _note_file(base, place) for at, place in base.places.items() if at != (EXTENDS,)}

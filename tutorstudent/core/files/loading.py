@@ -1,4 +1,4 @@
-"""Entry points of plugins: which there are, what they provide, and why one of them could not be used."""
+"""The entry points of plugins: what they provide, or why they cannot be used."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ class Broken(NamedTuple):
     remedy: str
     trace: str
     parts: tuple[tuple[str, str], ...] = ()
-    """Role and name of what its hook returned; empty where it did not get that far."""
+    """Role and name of what its hook returned, if it got that far."""
 
     def explain(self) -> str:
         """Return what it is, why it could not be used, and what to do."""
         return f"'{self.entry_point}' ({self.distribution}): {self.reason} {self.remedy}"
 
     def provides(self, name: str, role: str | None = None) -> bool:
-        """Return whether it is of that name, or would have brought such a part; of any role where none is given."""
+        """Return whether it has that name or would have provided such a part (of any role, if none is given)."""
         if name in (self.entry_point, self.entry_point.replace("_", "-")):
             return True
         return any(name == part_name and role in (None, part_role) for part_role, part_name in self.parts)
@@ -105,7 +105,7 @@ def load_parts(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
         manager.enable_tracing()
     answers = manager.hook.tutorstudent_components()
     if len(answers) != 1 or not isinstance(answers[0], list | tuple | set | frozenset):
-        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of component classes.")
+        raise BrokenPlugin(f"tutorstudent_components() returned {answers}; return a list of part classes.")
     yield from answers[0]
 
 
@@ -141,7 +141,7 @@ def find_distribution(entry_point: metadata.EntryPoint) -> str:
 
 
 def make_broken(error: BaseException, entry_point: metadata.EntryPoint, returned: Iterable[Any]) -> Broken:
-    """Return the record of an entry point that could not be used; `returned` is what its hook did, if it got there."""
+    """Return the record of an entry point that could not be used; `returned` is what its hook returned until then."""
     distribution = find_distribution(entry_point)
     reason, remedy = diagnose(error, distribution)
     trace = "".join(traceback.format_exception(error))
@@ -149,7 +149,7 @@ def make_broken(error: BaseException, entry_point: metadata.EntryPoint, returned
 
 
 def _name_parts(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
-    """Yield role and name of the components; one that is too broken to tell them is left out."""
+    """Yield role and name of the parts; one that is too broken to have them is left out."""
     for part in returned:
         try:
             cls = part if inspect.isclass(part) else type(part)
@@ -162,7 +162,7 @@ def _name_parts(returned: Iterable[Any]) -> Iterator[tuple[str, str]]:
 
 
 def diagnose(error: BaseException, distribution: str) -> tuple[str, str]:
-    """Return reason and remedy, in sentences, for what came out of loading an entry point."""
+    """Return reason and remedy, in sentences, for an error in loading an entry point."""
     package = "its package" if distribution == UNKNOWN else distribution.split()[0]
     remedy = f"Tell the authors of {package}, or uninstall it."
     match error:
@@ -170,7 +170,7 @@ def diagnose(error: BaseException, distribution: str) -> tuple[str, str]:
             missing = f"Install '{error.name}' (perhaps as an extra of {package}), or uninstall {package}."
             return f"{error.msg}.", missing
         case pluggy.PluginValidationError():
-            return str(error), f"The hook is called tutorstudent_components() and takes nothing; tell {package}."
+            return str(error), f"The hook is tutorstudent_components(), without arguments; tell {package}."
         case TooNew():
             return str(error), f"Upgrade {GROUP}, or uninstall {package}."
         case TooOld():

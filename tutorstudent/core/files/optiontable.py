@@ -1,4 +1,4 @@
-"""The options of a component as rows of a table: type, bounds, default and description."""
+"""The options of a part as rows of a table."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WORDS = {"object": "mapping", "array": "list", "null": "nothing", "boolean": "tr
 
 
 class OptionRow(NamedTuple):
-    """One option of a component."""
+    """One option of a part."""
 
     name: str
     type: str
@@ -32,18 +32,18 @@ class OptionRow(NamedTuple):
     default: Any
     """A plain value; None where the option is required or nothing is its default."""
     role: str | None
-    """Of the components that may stand there."""
+    """Of the parts that it may hold."""
     description: str
 
 
 def list_options(cls: type[Component]) -> list[OptionRow]:
-    """Return the options of a component class, in the order in which it declares them."""
+    """Return the options of a part class, in the order in which it declares them."""
     schema = cls.Options.model_json_schema()
     return [_make_row(name, field, schema["properties"][name]) for name, field in cls.Options.model_fields.items()]
 
 
 def read_default(field: FieldInfo) -> Any:
-    """Return the default of an option as a plain value: a component by its name, a model by its values."""
+    """Return the default of an option as a plain value: a part by its name, a model by its values."""
     value = field.get_default(call_default_factory=True)
     if isinstance(value, Component):
         return value.name
@@ -77,7 +77,7 @@ def _describe_parts(part: PartOption) -> str:
 
 
 def describe_type(schema: dict[str, Any]) -> str:
-    """Return what a JSON schema allows, in words.
+    """Return in words what a JSON schema allows.
 
     >>> describe_type({"anyOf": [{"type": "integer"}, {"type": "null"}]}), describe_type({"enum": ["clip", "wrap"]})
     ('integer or nothing', "'clip' or 'wrap'")

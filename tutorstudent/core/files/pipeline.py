@@ -16,11 +16,11 @@ from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.assembly import Assembler
 from tutorstudent.core.files.extending import EXTENDS, read_extended
 from tutorstudent.core.files.plainvalues import make_plain
-from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.registry import Registry, find_registry
 from tutorstudent.core.files.settings import format_setting, set_value
 from tutorstudent.core.files.yamlfile import Document, Location
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.roles.interfaces import Tutor
+from tutorstudent.core.roles.interfaces import SLOTS, Tutor
 from tutorstudent.core.roles.option_problems import find_option_problems
 from tutorstudent.core.roles.part import Options
 from tutorstudent.core.roles.world import World
@@ -29,7 +29,6 @@ from tutorstudent.core.running.runner import check_world
 from tutorstudent.core.running.transplanting import LearnedFile, transplant
 from tutorstudent.core.words.errors import PipelineError, list_names, quote, suggest
 
-SLOTS = ("tutor", "student", "selector", "amplifier", "evaluator")
 DEFAULTS: dict[str, Any] = {
     "selector": "same-kind",
     "amplifier": "learning-phase",
@@ -53,7 +52,7 @@ class Header(Options):
 
 
 class Built(NamedTuple):
-    """All that a pipeline names, bound and fitting together."""
+    """Everything that a pipeline names, built and bound."""
 
     engine: Engine[Any, Any, Any]
     world: World[Any, Any]
@@ -61,7 +60,7 @@ class Built(NamedTuple):
 
 
 class Pipeline:
-    """The parts of an engine as plain values, with the places where they stand in their file."""
+    """The parts of an engine as plain values, each with its place in the file."""
 
     def __init__(self, document: Document, registry: Registry | None = None) -> None:
         if not isinstance(document.data, dict):
@@ -70,15 +69,15 @@ class Pipeline:
                 f"{document.name}: found {found}; a pipeline is a mapping with the keys {', '.join(KEYS)}."
             )
         self.document = document
-        self.registry = registry or Registry.discover()
+        self.registry = registry or find_registry()
         self._assembler = Assembler(document, self.registry)
         if "selector" not in document.data:  # what does not fit the default one is the student
-            self._assembler.slots["selector"] = ("student",)
+            self._assembler.place_slot("selector", ("student",))
         self._assembler.check_keys(document.data, KEYS, ())
         if EXTENDS in document.data:
-            raise self._assembler.make_error((EXTENDS,), "only a file can extend another; write the key into the file.")
-        plain = {key: document.data[key] for key in PLAIN if key in document.data}
-        self.header = self._assembler.make_model(Header, plain, (), "pipeline")
+            raise self._assembler.make_error((EXTENDS,), "'extends' works only in a file; write it there.")
+        header = {key: document.data[key] for key in PLAIN if key in document.data}
+        self.header = self._assembler.make_model(Header, header, (), "pipeline")
 
     @classmethod
     def read(cls, path: Path | str, registry: Registry | None = None) -> Pipeline:
@@ -89,7 +88,7 @@ class Pipeline:
         """Return this pipeline with other values for some dotted keys, as in ``{"world.scene": "cave-box"}``.
 
         Raises:
-            PipelineError: if a key leads through something that is no mapping, or the pipeline has no such key.
+            PipelineError: if a key leads through something other than a mapping, or there is no such key.
         """
         document, data = self.document, dict(self.document.data)
         for dotted, value in values.items():
@@ -99,7 +98,7 @@ class Pipeline:
 
     @contextmanager
     def built(self) -> Iterator[Built]:
-        """Build engine, world and observers; each is closed at the end, whatever another's `close` does.
+        """Build engine, world and observers, and close them all at the end, even if closing one of them fails.
 
         Raises:
             TutorStudentError: if something cannot be built; the message says where and what to do.
@@ -114,7 +113,7 @@ class Pipeline:
             yield Built(engine, world, observers)
 
     def engine(self, **given: Any) -> Engine[Any, Any, Any]:
-        """Build the engine. Parts that are given by slot take the place of the file's.
+        """Build the engine. A part given for a slot replaces the file's; None stands for the file's own.
 
         Raises:
             TutorStudentError: if it cannot be built; the message says where and what to do.
@@ -123,9 +122,8 @@ class Pipeline:
         parts = {slot: self._make_part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
         if (conditions := given.get("conditions")) is None:
             conditions = self._assembler.make_parts("condition", self._get_value("conditions"), ("conditions",))
-            self._assembler.slots |= {
-                f"conditions.{part.label}": ("conditions", i) for i, part in enumerate(conditions)
-            }
+            for i, part in enumerate(conditions):
+                self._assembler.place_slot(f"conditions.{part.label}", ("conditions", i))
         limits = self._make_limits()
         with self._assembler.locate_errors(()):
             engine: Engine[Any, Any, Any] = Engine(
@@ -227,13 +225,13 @@ def describe(engine: Engine[Any, Any, Any], world: World[Any, Any], pipeline: Pi
 
 
 def load(path: Path | str, *, tutor: Any = None, action: Any = None, **parts: Any) -> Engine[Any, Any, Any]:
-    """Return the engine of a pipeline file, for somebody's own loop.
+    """Return the engine of a pipeline file, for a loop of your own.
 
     Args:
         path: The YAML file.
-        tutor: Takes the place of the file's tutor: a `Tutor`, or any callable of the state together with `action`.
+        tutor: Replaces the file's tutor: a `Tutor`, or any callable of the state together with `action`.
         action: The action class of a callable tutor.
-        parts: Other parts by slot, for example ``student=...``.
+        parts: Other parts by slot, for example ``student=...``; None stands for the file's own.
 
     Raises:
         TutorStudentError: if it cannot be built; the message says where and what to do.

@@ -1,4 +1,4 @@
-"""Descriptions as what a file can hold."""
+"""Descriptions of parts as plain values that a file can hold."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from tutorstudent.core.words.errors import PipelineError
 
 
 def make_plain(value: Any, where: str) -> Any:
-    """Return a description as what YAML and JSON can hold: paths and enums as their values, tuples as lists.
+    """Return a description as values for YAML and JSON: paths and enums as text, tuples as lists.
 
     Raises:
-        PipelineError: if something in it has no such form; `where` stands for its place.
+        PipelineError: if it holds something else; `where` says in the message what it describes.
     """
     try:
         return to_jsonable_python(value, fallback=_convert_leftover)
@@ -28,4 +28,4 @@ def _convert_leftover(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, Component):
         return value.describe()
-    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or components.")
+    raise TypeError(f"an option holds a {type(value).__name__}; options are plain values, paths, enums or parts.")

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import inspect
+import os
 import re
+import sys
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from importlib import metadata
-from typing import NamedTuple
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from tutorstudent.core.files.loading import (
+    ALLOW_LIST,
+    TRACE,
     Broken,
     find_distribution,
     find_double,
@@ -52,7 +58,7 @@ _NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 class Installed(NamedTuple):
-    """One component class with where it comes from."""
+    """One part class with where it comes from."""
 
     cls: type[Component]
     entry_point: str
@@ -60,7 +66,7 @@ class Installed(NamedTuple):
 
 
 class Registry:
-    """The components of all entry points, by role and name. An instance, handed about; nothing is global."""
+    """The parts of all entry points, by role and name. An object that is passed on; nothing is global."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], Installed] = {}
@@ -70,9 +76,9 @@ class Registry:
     def discover(cls, entry_points: Iterable[metadata.EntryPoint] | None = None) -> Registry:
         """Return a registry of all installed plugins.
 
-        The environment variable TUTORSTUDENT_LOAD_PLUGINS limits the third parties' to the distributions and entry
-        points that it names, separated by commas; where it is empty, none of theirs is loaded. With
-        TUTORSTUDENT_TRACE=1 every call of a hook is told on standard error.
+        The environment variable TUTORSTUDENT_LOAD_PLUGINS names the third-party distributions and entry points that
+        may be loaded, separated by commas; if it is empty, none is. With TUTORSTUDENT_TRACE=1 every call of a hook is
+        printed on standard error.
         """
         registry = cls()
         found = find_entry_points(registry.broken) if entry_points is None else entry_points
@@ -81,8 +87,14 @@ class Registry:
                 registry.load(entry_point)
         return registry
 
+    def copy(self) -> Registry:
+        """Return an independent registry of the same parts."""
+        other = Registry()
+        other._found, other.broken = dict(self._found), list(self.broken)
+        return other
+
     def load(self, entry_point: metadata.EntryPoint) -> None:
-        """Add the components of one entry point: all of them, or none and a `Broken` record."""
+        """Add the parts of one entry point: all of them, or none and a `Broken` record."""
         classes: list[type[Component]] = []
         try:
             classes += load_parts(entry_point)
@@ -90,7 +102,7 @@ class Registry:
                 self._check(cls, entry_point.name)
             if twice := find_double(classes):
                 raise DuplicatePlugin(
-                    f"{twice.role} '{twice.name}' of '{entry_point.name}' stands there twice; rename one of them."
+                    f"{twice.role} '{twice.name}' of '{entry_point.name}' is there twice; rename one of them."
                 )
         except KeyboardInterrupt:
             raise
@@ -101,12 +113,12 @@ class Registry:
             self.add(cls, entry_point.name, find_distribution(entry_point))
 
     def add(self, cls: type[Component], entry_point: str = "", distribution: str = "this program") -> None:
-        """Add one component class."""
+        """Add one part class."""
         self._check(cls, entry_point)
         self._found[cls.role, cls.name] = Installed(cls, entry_point, distribution)
 
     def get(self, role: str, name: str) -> type[Component]:
-        """Return the component of that role and name.
+        """Return the part of that role and name.
 
         Raises:
             UnknownPlugin: if there is none.
@@ -120,11 +132,12 @@ class Registry:
         hint = f" There is {with_article(elsewhere[0])} of that name." if elsewhere else ""
         raise UnknownPlugin(
             f"no {role} named '{name}'{suggest(name, known)}. Installed: {list_names(known)}.{hint} "
-            f"`tutorstudent plugins list` shows all; a package with {with_article(role)} is installed with pip.{self.suspects()}"
+            f"`tutorstudent plugins list` shows all; a package with {with_article(role)} is installed with pip."
+            f"{self.suspects()}"
         )
 
     def check_not_broken(self, name: str, role: str | None = None) -> None:
-        """Say why a part is not there, if a plugin that has it, or is of that name, could not be loaded.
+        """Raise if the part is missing because its plugin could not be loaded.
 
         Raises:
             BrokenPlugin: if so; the message has the reason and the remedy.
@@ -137,12 +150,12 @@ class Registry:
                 )
 
     def suspects(self) -> str:
-        """Return a sentence about the plugins that could not be loaded and may provide what is missed, or nothing."""
+        """Return a sentence about broken plugins, which may provide what is missing, or nothing."""
         others = " ".join(broken.explain() for broken in self.broken)
         return f" These plugins could not be loaded and may provide it: {others}" if others else ""
 
     def of(self, role: str) -> list[Installed]:
-        """Return the components of a role, by name."""
+        """Return the parts of a role, by name."""
         return [self._found[key] for key in sorted(self._found) if key[0] == role]
 
     def __iter__(self) -> Iterator[Installed]:
@@ -150,7 +163,7 @@ class Registry:
 
     def _check(self, cls: type[Component], entry_point: str) -> None:
         if not (inspect.isclass(cls) and issubclass(cls, Component)):
-            raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return component classes.")
+            raise BrokenPlugin(f"tutorstudent_components() returned {cls!r}; return part classes.")
         if cls.role not in ROLES or not issubclass(cls, ROLES[cls.role]):
             raise BrokenPlugin(f"{cls.__name__} has the role '{cls.role}'; roles are {list_names(ROLES)}.")
         if not (isinstance(cls.name, str) and _NAME.fullmatch(cls.name)):
@@ -164,3 +177,32 @@ class Registry:
                 f"{cls.role} '{cls.name}' of '{entry_point}' is already there, from "
                 f"'{taken.entry_point}' ({taken.distribution}); rename one of them."
             )
+
+
+def find_registry() -> Registry:
+    """Return `Registry.discover()`, kept in memory until something is installed or removed; broken plugins are retried.
+
+    Discovering takes a tenth of a second, too long for a program that builds many pipelines.
+    """
+    found = _discover(_stamp_installed())
+    if found.broken:
+        _discover.cache_clear()
+    return found.copy()
+
+
+@lru_cache(maxsize=1)
+def _discover(_: tuple[Any, ...]) -> Registry:
+    return Registry.discover()
+
+
+def _stamp_installed() -> tuple[Any, ...]:
+    # A distribution that comes or goes changes its folder; the environment says which plugins are loaded.
+    folders = tuple((folder, _read_time(Path(folder))) for folder in sys.path)
+    return folders, os.environ.get(ALLOW_LIST), os.environ.get(TRACE)
+
+
+def _read_time(folder: Path) -> int:
+    try:
+        return folder.stat().st_mtime_ns
+    except OSError:
+        return 0

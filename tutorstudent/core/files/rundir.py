@@ -1,11 +1,11 @@
-"""One run of a pipeline in its world, and the directory that it leaves behind.
+"""Runs a pipeline in its world and writes the run's directory.
 
 | file | what |
 |---|---|
 | ``pipeline.yaml`` | the pipeline with every option written out |
 | ``decisions.npz`` | every decision, see `Recorder` |
 | ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), measures, incidents |
-| ``learned.npz`` | what was learned, see `recording.nested` |
+| ``learned.npz`` | what was learned, see `arrays.nest` |
 """
 
 from __future__ import annotations
@@ -75,24 +75,31 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
         return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures)
 
 
-def write_run(directory: Path, finished: Finished) -> str | None:
+def write_run(directory: Path, finished: Finished, final: Path | None = None) -> str | None:
     """Write the run's files into `directory`.
 
+    Args:
+        directory: New, empty, or with an earlier run in it.
+        finished: The run.
+        final: What messages call the directory, where it will be moved afterwards.
+
     Returns:
-        None, or a sentence that says why what was learned could not be saved; the other files are there.
+        None, or a sentence about why what was learned could not be saved; the other files are written.
 
     Raises:
         PipelineError: if the directory cannot be written.
     """
+    final = final or directory
     prepare(directory)
-    with explain_write_errors(directory):
+    with explain_write_errors(final):
         with (directory / "pipeline.yaml").open("w", encoding="utf-8") as stream:
             YAML().dump(finished.resolved, stream)
         save_arrays(directory / "decisions.npz", finished.decisions)
         text = json.dumps(_make_record(finished), indent=2, sort_keys=True, allow_nan=False)
         (directory / "run.json").write_text(f"{text}\n", encoding="utf-8")
         (directory / "learned.npz").unlink(missing_ok=True)
-    return _save_learned(directory / "learned.npz", finished.engine)
+    problem = _save_learned(directory / "learned.npz", finished.engine)
+    return problem and f"{final / 'learned.npz'}: {problem}"
 
 
 def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
@@ -101,27 +108,27 @@ def _save_learned(path: Path, engine: Engine[Any, Any, Any]) -> str | None:
     except Exception as error:  # whatever a part's state_dict() does, the run has been paid for
         path.unlink(missing_ok=True)
         why = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(".")
-        return f"{path}: what was learned could not be saved: {why}. The other files of the run are written."
+        return f"what was learned could not be saved: {why}. The other files of the run are written."
     return None
 
 
 def prepare(directory: Path) -> None:
-    """Make a directory for a run; an earlier run's may be written over, anything else may not.
+    """Make a directory for a run. An earlier run's files are overwritten; nothing else is.
 
     Raises:
-        PipelineError: if the directory holds something that is no run, or cannot be made.
+        PipelineError: if the directory holds something other than a run, or cannot be made.
     """
     with explain_write_errors(directory):
         if directory.exists() and not directory.is_dir():
             raise PipelineError(f"{directory} is a file; name a directory for the run.")
         if directory.is_dir() and any(directory.iterdir()) and not (directory / "run.json").exists():
-            raise PipelineError(f"{directory} holds something that is no run; name another directory.")
+            raise PipelineError(f"{directory} holds something other than a run; name another directory.")
         directory.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
-def explain_write_errors(place: Path) -> Iterator[None]:
-    """Turn what the operating system says into a sentence about the place.
+def explain_write_errors(path: Path) -> Iterator[None]:
+    """Turn errors of the operating system into sentences about a file or folder.
 
     Raises:
         PipelineError: if something there cannot be read or written.
@@ -130,7 +137,7 @@ def explain_write_errors(place: Path) -> Iterator[None]:
         yield
     except OSError as error:
         reason = error.strerror or str(error)
-        raise PipelineError(f"{place}: cannot be written: {reason}. Name a directory that you may write to.") from None
+        raise PipelineError(f"{path}: cannot be written: {reason}. Name a directory that you may write to.") from None
 
 
 def _make_record(finished: Finished) -> dict[str, Any]:
@@ -155,10 +162,10 @@ def find_providers(built: Built, registry: Registry) -> dict[str, str]:
     return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
 
 
-def _walk_parts(components: Iterable[Component]) -> Iterator[Component]:
-    for component in components:
-        yield component
-        yield from _walk_parts(part for _, part in component.parts())
+def _walk_parts(parts: Iterable[Component]) -> Iterator[Component]:
+    for part in parts:
+        yield part
+        yield from _walk_parts(nested for _, nested in part.parts())
 
 
 def find_versions() -> dict[str, str]:

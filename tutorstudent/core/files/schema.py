@@ -9,14 +9,15 @@ from pydantic.json_schema import models_json_schema
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.extending import EXTENDS
 from tutorstudent.core.files.optiontable import read_default
-from tutorstudent.core.files.pipeline import DEFAULTS, SLOTS, Header
+from tutorstudent.core.files.pipeline import DEFAULTS, Header
 from tutorstudent.core.files.registry import ROLES, Registry
+from tutorstudent.core.roles.interfaces import SLOTS
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.part_options import ROLE_KEY
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 EXTENDING = "extending:"
-"""Begins the definitions for a file that extends another, in which every key and option may be left out."""
+"""Prefix of the definitions for files that extend another; every key and option may be left out there."""
 
 
 def make_schema(registry: Registry) -> dict[str, Any]:
@@ -43,7 +44,7 @@ def make_schema(registry: Registry) -> dict[str, Any]:
 _EXTENDS = {
     "type": "string",
     "minLength": 1,
-    "description": "another pipeline file, relative to this one; here stands only what differs from it",
+    "description": "another pipeline file, relative to this one; this file says only what differs",
 }
 
 
@@ -51,7 +52,7 @@ def _make_properties() -> dict[str, Any]:
     properties: dict[str, Any] = Header.model_json_schema()["properties"]
     slots = {slot: {"$ref": f"#/$defs/{slot}", "description": read_summary(ROLES[slot])} for slot in (*SLOTS, "world")}
     others = {
-        "conditions": _make_list("condition", "what must not be true of the state that an action leads to"),
+        "conditions": _make_list("condition", "what must not be true of the state after an action"),
         "observers": _make_list("observer", "what counts and measures beside the run"),
         "limits": {"$ref": "#/$defs/Limits", "description": read_summary(Limits)},
         "on_tutor_failure": {
@@ -68,7 +69,7 @@ def _make_list(role: str, description: str) -> dict[str, Any]:
 
 
 def _make_partial(node: Any) -> Any:
-    """Return a schema in which nothing is required, for values that are merged with those of another file."""
+    """Return a schema without required keys, for values that are merged with those of another file."""
     if isinstance(node, list):
         return [_make_partial(item) for item in node]
     if not isinstance(node, dict):
@@ -105,7 +106,7 @@ def _make_part(cls: type[Component]) -> dict[str, Any]:
 
 
 def _add_defaults(cls: type[Component], options: dict[str, Any]) -> dict[str, Any]:
-    # What pydantic leaves out: defaults that are made anew each time, such as components.
+    # What pydantic leaves out: defaults that are made anew each time, such as parts.
     made = {name: field for name, field in cls.Options.model_fields.items() if field.default_factory}
     return {
         name: value | ({"default": read_default(made[name])} if name in made else {})
@@ -114,7 +115,7 @@ def _add_defaults(cls: type[Component], options: dict[str, Any]) -> dict[str, An
 
 
 def _fill_parts(node: Any) -> Any:
-    """Return a schema in which every place for a component refers to the definition of its role."""
+    """Return a schema in which every part refers to the definition of its role."""
     if isinstance(node, list):
         return [_fill_parts(item) for item in node]
     if not isinstance(node, dict):

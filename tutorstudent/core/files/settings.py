@@ -11,10 +11,10 @@ from tutorstudent.core.words.errors import PipelineError
 
 
 def split_setting(option: str, text: str) -> tuple[str, str]:
-    """Return both sides of ``KEY=VALUE``, the value as it was written.
+    """Return key and value of ``KEY=VALUE``, the value as written.
 
     Args:
-        option: The option that it was given to, for messages.
+        option: Where it was given, for messages.
         text: What was given.
 
     Raises:
@@ -56,10 +56,10 @@ def format_setting(key: str, value: Any) -> str:
 
 
 def set_value(data: dict[str, Any], dotted: str, value: Any, name: str) -> None:
-    """Set the value of a dotted key in `data`; mappings on the way are copied, not changed.
+    """Set the value of a dotted key in `data`; nested mappings are copied, not changed.
 
     Raises:
-        PipelineError: if the key leads through something that is no mapping; `name` stands for the data.
+        PipelineError: if the key leads through something other than a mapping; `name` is what messages call the data.
     """
     *parents, last = dotted.split(".")
     for key in parents:

@@ -1,4 +1,4 @@
-"""Reads YAML into plain values and remembers where each stood."""
+"""Reads YAML into plain values and remembers the place of each."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ class Document(NamedTuple):
     data: Any
     places: Mapping[Location, Place] = {}
     settings: Mapping[Location, str] = {}
-    """What was set from elsewhere, as ``key=value``; it stands nowhere in the file."""
+    """What was set from outside, as ``key=value``, so that it has no place in the file."""
 
     def locate(self, location: Location) -> str:
-        """Return ``file:line:column: dotted.key`` of a location, or of its nearest parent that stands in the file.
+        """Return ``file:line:column: dotted.key`` of a location, or of its nearest parent that is in the file.
 
         Settings above and below the location are named: ``file (with seed=-1): seed``.
         """
@@ -41,7 +41,7 @@ class Document(NamedTuple):
         return f"{position}: {dotted}" if dotted else position
 
     def replace(self, at: Location, data: Any, setting: str) -> Document:
-        """Return the document with other data, in which `setting` gave what is at and below a location."""
+        """Return the document with other data, where `setting` gave everything at and below a location."""
         places = {other: place for other, place in self.places.items() if other[: len(at)] != at}
         settings = {other: text for other, text in self.settings.items() if other[: len(at)] != at}
         return Document(self.name, data, places, settings | {at: setting})
@@ -75,19 +75,19 @@ def read_yaml(path: Path) -> Document:
 
 
 def parse_yaml(text: str, name: str) -> Document:
-    """Parse YAML text; `name` stands for it in messages.
+    """Parse YAML text; `name` is what messages call it.
 
     Raises:
         PipelineError: if it is not plain YAML, with the place and the remedy.
     """
     if len(text) > LARGEST:
-        raise PipelineError(f"{name}: it has {len(text):,} characters; a file that is read has {LARGEST:,} at most.")
+        raise PipelineError(f"{name}: it has {len(text):,} characters; {LARGEST:,} are allowed.")
     reader = NodeReader(name)
     try:
         node = _compose(text)
         return Document(name, None if node is None else reader.read_value(node), reader.places)
     except RecursionError:
-        raise PipelineError(f"{name}: it is nested too deeply, or in itself; write it flat.") from None
+        raise PipelineError(f"{name}: it is nested too deeply, or contains itself; make it flatter.") from None
     except YAMLError as error:
         raise PipelineError(explain_syntax(name, text, error)) from None
 

@@ -27,7 +27,7 @@ class Place(NamedTuple):
     line: int
     column: int
     file: str = ""
-    """Where it is not the document's own: what a file extends stands in another one."""
+    """Only if it is another file than the document's own: one that it extends."""
 
 
 class NodeReader:
@@ -39,7 +39,7 @@ class NodeReader:
         self._count = 0
 
     def read_value(self, node: Node, at: Location = ()) -> Any:
-        """Return what a node stands for, and note the places of all that is in it.
+        """Return the value of a node, and note the places of everything in it.
 
         Raises:
             PipelineError: if it is not plain; the message says where and what to do.
@@ -57,9 +57,9 @@ class NodeReader:
     def _check_bounds(self, node: Node, at: Location) -> None:
         self._count += 1
         if len(at) > DEEPEST:
-            raise self._make_error(node, at[:3], "it is nested too deeply, or in itself; write it flat.")
+            raise self._make_error(node, at[:3], "it is nested too deeply, or contains itself; make it flatter.")
         if self._count > MOST:
-            problem = f"there are more than {MOST:,} values, repeated ones included; write less."
+            problem = f"there are more than {MOST:,} values, counting repeated ones; shorten it."
             raise self._make_error_at(self.places.get(at[:1], Place(1, 1)), at[:1], problem)
 
     def _read_at(self, marked: Node, node: Node, at: Location) -> Any:
@@ -77,9 +77,7 @@ class NodeReader:
                 key = self._read_key(key_node, at)
                 if key in own:
                     line = self.places[*at, key].line
-                    raise self._make_error(
-                        key_node, (*at, key), f"this key is in line {line} already; keep one of them."
-                    )
+                    raise self._make_error(key_node, (*at, key), f"this key is in line {line} too; keep one of them.")
                 own.add(key)
                 values[key] = self._read_at(key_node, value_node, (*at, key))
         return values
@@ -95,8 +93,8 @@ class NodeReader:
     def _read_key(self, node: Node, at: Location) -> str:
         if isinstance(node, ScalarNode) and str(node.tag) == f"{STANDARD}str":
             return str(node.value)
-        shown = node.value if isinstance(node, ScalarNode) else "in brackets"
-        raise self._make_error(node, at, f"the key {shown} is not a word; quote it.")
+        found = node.value if isinstance(node, ScalarNode) else "in brackets"
+        raise self._make_error(node, at, f"the key {found} is not a word; quote it.")
 
     def _read_scalar(self, node: ScalarNode, tag: str, at: Location) -> Any:
         try:
@@ -115,7 +113,7 @@ class NodeReader:
 
 
 class _Ambiguous(ValueError):
-    """A number that is another one to other readers."""
+    """A number that other YAML readers read differently."""
 
 
 def _find_place(node: Node) -> Place:
@@ -133,7 +131,7 @@ def _shorten(text: str) -> str:
 def _read_int(text: str) -> int:
     if _LEADING_ZERO.fullmatch(text):
         plain = text.lstrip("+-0") or "0"
-        raise _Ambiguous(f"with a leading zero it is octal to some; write {plain}, or 0o{plain} if that is meant")
+        raise _Ambiguous(f"with a leading zero some read it as octal; write {plain}, or 0o{plain} if that is meant")
     return int(text, 0)
 
 
@@ -151,14 +149,14 @@ _SCALARS: Mapping[str, Callable[[str], Any]] = {
     "!!value": str,
     "!!merge": str,
 }
-"""What a scalar of a tag stands for. Dates stay words."""
+"""How the scalars of a tag are read. Dates stay words."""
 
 
 class Remedy(NamedTuple):
-    """What a message of the parser means to somebody who wrote the file."""
+    """What a message of the parser means for the author of the file."""
 
     said: str
-    """Stands in the parser's context or problem."""
+    """Part of the parser's context or problem."""
     at_context: bool
     """Whether the mistake is where the parser began, not where it gave up."""
     sentence: str
@@ -180,7 +178,7 @@ REMEDIES = (
     Remedy("undefined alias", False, "{problem}; quote a value that begins with '*'."),
     Remedy("cannot start any token", False, "{problem}; quote the value."),
     Remedy("unknown escape character", False, "{problem}; write the value in single quotes."),
-    Remedy("maximum depth", False, "it is nested too deeply; write it flat."),
+    Remedy("maximum depth", False, "it is nested too deeply; make it flatter."),
     Remedy("expected a single document", False, "another document begins here; a file holds one. Remove the '---'."),
 )
 GENERAL = Remedy("", False, "{problem}.")

@@ -1,4 +1,4 @@
-"""What a component is told about its place, and the random stream that belongs to the place."""
+"""What a part is told about its slot, and the random stream of the slot."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from tutorstudent.core.words.actions import Action
 
 
 class Binding(NamedTuple):
-    """What a component is told once, when a pipeline is put together."""
+    """What a part is told once, when a pipeline is built."""
 
     seed: int
     slot: str
-    """Where it stands, for example ``student.encoder``; keys random streams, learned state and messages."""
+    """Its path in the pipeline, such as ``student.encoder``; used in random streams, learned state and messages."""
     action: type[Action]
     """The tutor's action class, so that a codec knows the kinds."""
 

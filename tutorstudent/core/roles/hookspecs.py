@@ -20,7 +20,7 @@ hookimpl = pluggy.HookimplMarker(PROJECT)
 
 @hookspec
 def tutorstudent_components() -> Iterable[type[Component]]:  # type: ignore[empty-body]
-    """Return the component classes that this plugin provides, of any roles.
+    """Return the part classes that this plugin provides, of any roles.
 
     **Example:**
 

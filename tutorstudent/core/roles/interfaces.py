@@ -26,6 +26,9 @@ from tutorstudent.core.words.actions import Action, ActionT
 from tutorstudent.core.words.proposals import Proposal, ProposalT
 from tutorstudent.core.words.records import Decision, GradedAction, Lesson, Moment, Outcome, StateT
 
+SLOTS = ("tutor", "student", "selector", "amplifier", "evaluator")
+"""Where the parts of an engine stand in a pipeline, in the order in which they are made."""
+
 
 class Tutor(EnginePart, Generic[StateT, ActionT]):
     """The existing, proven controller (Thesis 3.2.2.1). It stays in command of the action's kind."""

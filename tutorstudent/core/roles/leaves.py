@@ -1,6 +1,6 @@
 """The small roles: what students, amplifiers and evaluators are made of.
 
-Each is an ABC with a name, options and a place in the registry; a decorator makes one of a plain function.
+Each is an ABC with a name and options; a decorator makes one of a plain function.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class Condition(EnginePart, Generic[StateT]):
         """Return whether the state violates the condition. Called once per decision, on the resulting state."""
 
     def margins(self, state: StateT) -> Sequence[float] | None:
-        """Return how far the state is from a violation, in the owner's units, or None if the condition cannot tell."""
+        """Return how far the state is from a violation, in units of its own, or None if the condition cannot tell."""
         return None
 
 

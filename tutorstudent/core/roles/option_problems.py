@@ -1,4 +1,4 @@
-"""Sentences about options that a pydantic model does not take."""
+"""What is wrong with the options of a part, in sentences."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from tutorstudent.core.words.errors import list_names, quote, suggest
 
 
 def find_option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
-    """Return (location, sentence) for every mistake in a pydantic error about `model`, unknown options first.
+    """Return (location, sentence) for every mistake in a pydantic error, unknown options first.
 
-    An option that is missing is most often one that is misspelt.
+    A missing option is usually a misspelt one.
     """
     items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
     return [(tuple(item["loc"]), _describe_problem(model, item)) for item in items]
 
 
 def refuse_truth(annotation: Any, value: Any) -> None:
-    """Refuse true and false where an option asks for numbers: Python would take them for 1 and 0.
+    """Refuse true and false where a number is expected; Python would read them as 1 and 0.
 
     Raises:
         ValueError: if there is one.
@@ -57,7 +57,7 @@ def _describe_problem(model: type[BaseModel], item: Any) -> str:
             return f"option '{path}' is required."
         case "is_instance_of":
             kind = item["ctx"]["class"]
-            return f"option '{path}' must be a component ({kind}), not {item['input']!r}; in Python give an instance."
+            return f"option '{path}' must be a part ({kind}), not {item['input']!r}; in Python give an instance."
         case "value_error":
             said = str(item["ctx"]["error"]).rstrip(".")
             return f"option '{path}': {said}, found {quote(item['input'])}." if path else f"{said}."

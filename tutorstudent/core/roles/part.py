@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import abc
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from typing import Any, ClassVar
 
@@ -21,7 +21,7 @@ Learned = Mapping[str, Any]
 
 
 class Options(BaseModel):
-    """Configuration of a component. Unknown options are refused; give each field a description and a unit."""
+    """The options of a part. Unknown ones are refused; give each field a description and a unit."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, validate_default=True)
 
@@ -31,7 +31,7 @@ class Options(BaseModel):
         for name, field in cls.model_fields.items():
             if isinstance(field.default, Component):
                 raise ContractError(
-                    f"{cls.__qualname__}.{name}: the default is a component, which all would share; "
+                    f"{cls.__qualname__}.{name}: the default is one part, shared by all; "
                     f"use Field(default_factory={type(field.default).__name__})."
                 )
 
@@ -42,13 +42,15 @@ class Options(BaseModel):
         return value
 
 
+# A plugin is a part, and a component is a number of an action; only this class and the hook `tutorstudent_components`,
+# which plugins depend on, keep the old word. See docs/decisions/0007-a-plugin-is-a-part.md.
 class Component(abc.ABC):
-    """Something with a name, options and a place in a pipeline.
+    """Something with a name and options that a pipeline can use.
 
     What to do when:
 
     * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
-    * ``setup()``: once, after ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
+    * ``setup()``: once, when ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
     * ``reset()``: between trials: forget the episode, keep what was learned
     * ``judged(turn)``: hear what became of a decision (parts of an engine; optional)
     * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
@@ -71,10 +73,10 @@ class Component(abc.ABC):
             raise PipelineError(explain_option_error(type(self), error)) from None
 
     def bind(self, binding: Binding) -> None:
-        """Tell the component its place. Called once by the engine or the assembler; children first."""
+        """Tell the part its slot. Called once by whoever builds the pipeline; nested parts come first."""
         if self.slot:
             raise ContractError(
-                f"{self.role} '{self.name}' already stands at '{self.slot}' of a pipeline; make one for each place."
+                f"{self.role} '{self.name}' is already at '{self.slot}' of a pipeline; make one for each slot."
             )
         self.slot = binding.slot
         self.action_class = binding.action
@@ -88,7 +90,7 @@ class Component(abc.ABC):
             raise
 
     def parts(self) -> Iterator[tuple[str, Component]]:
-        """Yield the nested components with the option that holds them."""
+        """Yield the nested parts, each with the option that holds it."""
         for key in type(self.options).model_fields:
             value = getattr(self.options, key)
             if isinstance(value, Component):
@@ -97,10 +99,10 @@ class Component(abc.ABC):
                 yield from ((f"{key}.{i}", item) for i, item in enumerate(value) if isinstance(item, Component))
 
     def setup(self) -> None:  # noqa: B027 - an optional hook, deliberately concrete
-        """Prepare for work. Random stream, slot and action class are known here."""
+        """Prepare for work. Random generator, slot and action class are known."""
 
     def close(self) -> None:
-        """Let go of what `setup` opened."""
+        """Release what `setup` opened."""
         with ExitStack() as stack:  # whatever one of them raises, all are closed
             for _, part in reversed(list(self.parts())):
                 stack.callback(part.close)
@@ -120,8 +122,15 @@ class Component(abc.ABC):
                 )
             nested[key].load_state_dict(value)
 
+    def examples(self) -> Sequence[Any]:
+        """Return states for the conformance checks to try the part with; called on a bound copy.
+
+        Not needed where the part's state class has a class method `examples`.
+        """
+        return ()
+
     def describe(self) -> dict[str, Any]:
-        """Return the component as a pipeline would name it: ``use`` and every option, defaults included."""
+        """Return the part as a pipeline would name it: ``use`` and every option, defaults included."""
         return {"use": self.name} | {
             key: _describe_value(getattr(self.options, key)) for key in type(self.options).model_fields
         }
@@ -132,7 +141,7 @@ class Component(abc.ABC):
 
 
 class EnginePart(Component):
-    """A component that works inside the engine: it lives through trials."""
+    """A part of the engine: it is reset between trials."""
 
     def reset(self) -> None:
         """Forget the episode, keep what was learned."""
@@ -169,7 +178,7 @@ def _describe_value(value: Any) -> Any:
 
 
 def explain_option_error(cls: type[Component], error: ValidationError) -> str:
-    """Say in one sentence what is wrong with a component's options."""
+    """Say in one sentence what is wrong with a part's options."""
     return "; ".join(f"{cls.role} '{cls.name}': {problem}" for _, problem in find_option_problems(cls.Options, error))
 
 

@@ -1,4 +1,4 @@
-"""Options that are parts themselves: how they are marked, and what an annotation asks for."""
+"""Options that hold parts: how they are marked and recognised."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from pydantic_core import CoreSchema, core_schema
 from tutorstudent.core.roles.part import Component
 
 ROLE_KEY = "x-role"
-"""Stands in an option's JSON schema for any component of the role; `schema.make_schema` fills it in."""
+"""Marks, in an option's JSON schema, where any part of a role may be; `schema.make_schema` fills it in."""
 
 
 class PartMarker:
-    """Marks an option that holds a nested component of one role."""
+    """Marks an option that holds a nested part of one role."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.is_instance_schema(get_origin(source) or source)
@@ -29,23 +29,23 @@ class PartMarker:
 
 _T = TypeVar("_T")
 Part = Annotated[_T, PartMarker()]
-"""An option that is itself a component: ``encoder: ts.Part[ts.Encoder]``."""
+"""An option that is itself a part: ``encoder: ts.Part[ts.Encoder]``."""
 
 
 class PartOption(NamedTuple):
-    """An option that holds components."""
+    """An option that holds parts."""
 
     role: type[Component]
     one: bool
-    """Whether one component may stand there by itself."""
+    """Whether it may hold a single part."""
     many: bool
-    """Whether a list of components may."""
+    """Whether it may hold a list of parts."""
     none: bool
     """Whether nothing may."""
 
 
 def read_part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
-    """Return what an option's annotation asks for, or None if the option is no component.
+    """Return which part an option's annotation asks for, or None if it asks for none.
 
     >>> read_part_option(int, []) is None
     True
@@ -67,6 +67,6 @@ def read_part_option(annotation: Any, metadata: list[Any]) -> PartOption | None:
 
 
 def read_part_role(annotation: Any, metadata: list[Any]) -> type[Component] | None:
-    """Return the role that an option's annotation asks for, or None if the option is no component."""
+    """Return the role of the part that an option's annotation asks for, or None if it asks for none."""
     option = read_part_option(annotation, metadata)
     return option.role if option else None

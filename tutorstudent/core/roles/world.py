@@ -19,7 +19,7 @@ class Step(NamedTuple, Generic[StateT]):
 
     state: StateT
     events: Mapping[str, float] = {}
-    """Ground truth that the state does not show, by the names in `World.event_names`."""
+    """What really happened, which the state need not show, by the names in `World.event_names`."""
     done: bool = False
     """The trial has ended; the pending decision is still judged by this state."""
     truncated: bool = False
@@ -38,16 +38,16 @@ class Sketch(NamedTuple):
 
 
 class World(Component, Generic[StateT, ActionT]):
-    """Something that actions change and that states describe.
+    """A simulator, a plant or a robot: it executes actions and returns states.
 
-    A world hands out states that nobody changes afterwards: a new object each time, with read-only arrays.
+    Each state must be a new object with read-only arrays, so that nobody can change it afterwards.
     """
 
     role: ClassVar[str] = "world"
     action: type[Action]
     """The class of actions that it executes."""
     goal_event: ClassVar[str] = ""
-    """The event of which a run is to have most: what comparisons take for achievement where no observer counts any."""
+    """The event that a run should maximise; comparisons use it where no observer counts anything."""
 
     @property
     def event_names(self) -> Mapping[str, Summary | Measure]:

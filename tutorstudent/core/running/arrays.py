@@ -20,8 +20,8 @@ Arrays = dict[str, NDArray[Any]]
 def flatten(state: Learned, prefix: str = "") -> Arrays:
     """Return nested learned state as one level of arrays, keyed by path.
 
-    Within a key, whatever is not a letter, digit or one of ``_.-~`` is written as in a URL, so that every path is
-    another one and can be read back.
+    Characters of a key other than letters, digits and ``_.-~`` are written as in a URL, so that paths are unique and
+    can be read back.
 
     Raises:
         ContractError: if a key is no string.
@@ -34,7 +34,7 @@ def flatten(state: Learned, prefix: str = "") -> Arrays:
     arrays: Arrays = {}
     for key, value in state.items():
         if not isinstance(key, str):
-            raise ContractError(f"the key {key!r} of learned state is no string; use strings.")
+            raise ContractError(f"the key {key!r} of learned state is not a string; use strings.")
         path = f"{prefix}{quote(key, safe='')}"
         arrays |= flatten(value, f"{path}/") if isinstance(value, Mapping) else {path: np.asarray(value)}
     return arrays
@@ -49,10 +49,10 @@ def nest(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     state: dict[str, Any] = {}
     for path, array in arrays.items():
         *parents, key = (unquote(word) for word in path.split("/"))
-        place = state
+        branch = state
         for parent in parents:
-            place = place.setdefault(parent, {})
-        place[key] = array.item() if array.ndim == 0 else array
+            branch = branch.setdefault(parent, {})
+        branch[key] = array.item() if array.ndim == 0 else array
     return state
 
 

@@ -15,7 +15,7 @@ from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 
 def make_trial_seed(seed: int, trial: int) -> int:
-    """Return the seed of a trial; trials of one run differ, and the same run has the same trials.
+    """Return the seed of a trial: another one for each trial of a run, the same whenever the run is repeated.
 
     >>> make_trial_seed(7, 0) == make_trial_seed(7, 0), make_trial_seed(7, 0) == make_trial_seed(7, 1)
     (True, False)
@@ -31,10 +31,10 @@ def run(
     seed: int = 0,
     observers: Sequence[Observer] = (),
 ) -> dict[str, float]:
-    """Turn the loop for `decisions` decisions, over as many trials as the world ends.
+    """Run the loop for `decisions` decisions, over as many trials as it takes.
 
-    The engine keeps what it has learned before; its first trial here is a new one. A trial that is done is judged by
-    its last state (a crash is often only there); one that was cut off is not.
+    The engine keeps what it has learned before and begins a new trial. When a trial is done, its last state is judged
+    too (a crash often shows only there); when it was cut off, it is not.
 
     Returns:
         What the observers measured, summed up, and what they counted by themselves, by name.

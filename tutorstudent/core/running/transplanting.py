@@ -14,15 +14,15 @@ from tutorstudent.core.running.arrays import Arrays, load_arrays, nest
 from tutorstudent.core.words.errors import PipelineError, TutorStudentError
 
 LearnedFile = Annotated[Path, AfterValidator(Path.absolute)]
-"""The ``learned.npz`` of a run; a path is read from the working directory, and named from anywhere once resolved."""
+"""The ``learned.npz`` of a run; a path is relative to the working directory, and absolute once it was read."""
 REMEDY = "Give the learned.npz that a run of the same student left behind, by its path from the working directory."
 
 
 def transplant(path: Path, student: Student[Any, Any, Any]) -> None:
-    """Let a student begin with what the student of another run had learned; nothing else of that run is taken over.
+    """Let a student begin with what the student of another run had learned; nothing else is taken from that run.
 
     Raises:
-        PipelineError: the file holds nothing that this student could take; says why.
+        PipelineError: the file holds nothing that this student can use; the message says why.
     """
     learned = _read_learned(path)
     try:

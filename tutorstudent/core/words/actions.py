@@ -45,7 +45,7 @@ class Group(NamedTuple):
 
 
 class Vocabulary(NamedTuple):
-    """What an action class can say: its kinds, its components, and what may be amplified for each kind."""
+    """The kinds and components of an action class, and what may be amplified for each kind."""
 
     kinds: tuple[str, ...]
     fields: tuple[str, ...]
@@ -131,7 +131,7 @@ def rebuild(action: ActionT, changes: dict[str, float] | None = None) -> ActionT
 
 
 def read_vocabulary(cls: type[Action]) -> Vocabulary:
-    """Return what an action class says it can say; raises ContractError where that makes no sense."""
+    """Return the kinds, components and groups that an action class declares; ContractError where they make no sense."""
     kinds = _read_kinds(cls)
     specs = {name: _read_spec(name, info) for name, info in cls.model_fields.items() if name != "kind"}
     unknown = [kind for kind in cls.amplification if kind not in kinds]

@@ -1,4 +1,4 @@
-"""Action classes for controllers with a command of their own: one number, or a fixed number of them."""
+"""Action classes for controllers that command one number, or a fixed number of them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Command(Action):
     """An action of one kind that stands for the owner's own command."""
 
     form: ClassVar[Form]
-    """How the owner's command is read and written; a number for each component where nothing else is said."""
+    """How the owner's command is read and written; by default it is a number, or a sequence of numbers."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
@@ -44,7 +44,7 @@ class Command(Action):
             where = f"'{problem['loc'][-1]}': " if len(names) > 1 else ""
             raise ContractError(
                 f"the controller's command is {quote(command)}: {where}{problem['msg'][0].lower()}{problem['msg'][1:]}."
-                " State the bounds that it keeps, as in action=ts.scalar(-1, 1), or let the controller keep them."
+                " State wider bounds, as in action=ts.scalar(-2, 2), or keep the controller within these."
             ) from None
 
     def write(self, like: Any) -> Any:
@@ -63,7 +63,7 @@ def scalar(
     read: Read | None = None,
     write: Write | None = None,
 ) -> type[Command]:
-    """Return an action class of one number, amplified outward: away from neutral, nothing at neutral.
+    """Return an action class of one number, amplified outward: away from neutral, and not at all at neutral.
 
     Args:
         low: Smallest value, or none.

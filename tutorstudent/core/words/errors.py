@@ -5,8 +5,8 @@
     |   |-- UnknownPlugin
     |   |-- DuplicatePlugin
     |   `-- BrokenPlugin
-    |-- PipelineError          a pipeline, an option or a scene says something that cannot be built
-    `-- ContractError          a part does not keep the contract of its role
+    |-- PipelineError          a pipeline, an option or a scene cannot be built as it is written
+    `-- ContractError          a part breaks the contract of its role
 
 Every message says what was found, where, what is allowed and what to do.
 """
@@ -23,14 +23,14 @@ class TutorStudentError(Exception):
 
     Args:
         message: What was found, where, what is allowed and what to do.
-        slot: The slot of the part that it is about, as in ``student.encoder``, where one is to blame.
+        slot: The slot of the part to blame, as in ``student.encoder``, if there is one.
     """
 
     def __init__(self, message: str = "", slot: str = "") -> None:
         super().__init__(message)
         self.slot = slot
         self.placed = False
-        """Whether the message begins with the place in a file."""
+        """Whether the message begins with a position in a file."""
 
 
 class PluginError(TutorStudentError):
@@ -50,11 +50,11 @@ class BrokenPlugin(PluginError):
 
 
 class PipelineError(TutorStudentError):
-    """A pipeline, an option or a scene says something that cannot be built."""
+    """A pipeline, an option or a scene cannot be built as it is written."""
 
 
 class ContractError(TutorStudentError):
-    """A part does not keep the contract of its role."""
+    """A part breaks the contract of its role."""
 
 
 def suggest(word: str, known: Iterable[str]) -> str:
@@ -79,7 +79,7 @@ def list_names(words: Iterable[str]) -> str:
 
 
 def quote(value: object) -> str:
-    """Return a value that was found, as YAML has it and no longer than a line.
+    """Return a value for a message: as YAML writes it, on one line, shortened.
 
     >>> quote(None), quote(True), quote("x"), quote([1, [2, 3]])
     ('nothing', 'true', "'x'", '[1, [2, 3]]')

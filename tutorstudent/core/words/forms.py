@@ -114,7 +114,7 @@ class OwnForm(Form):
     def write(self, numbers: Numbers, like: Any) -> Any:
         written = self._write(like, numbers if self._size > 1 else numbers[0])
         if written is None:
-            raise ContractError("write= returned nothing; it returns the command to execute, a new one.")
+            raise ContractError("write= returned nothing; it has to return a new command to execute.")
         return written
 
 
@@ -137,9 +137,9 @@ def fit_number(like: Any, number: float) -> float:
 
 
 def match_type(like: Any, number: float) -> Any:
-    """Return a number in the type of one of the owner's; the owner's own where it is the same.
+    """Return a number in the type of the owner's number `like`; `like` itself where they are equal.
 
-    A whole number that was amplified is a float: rounding it could go beyond what was allowed.
+    An amplified whole number becomes a float: rounding it could exceed the limits.
 
     >>> match_type(Decimal("0.5"), 0.55), match_type(3, 3.9), match_type(3, 3.0)
     (Decimal('0.55'), 3.9, 3)
@@ -164,7 +164,7 @@ def is_number(item: Any) -> bool:
 
 
 def read_float(item: Any, name: str, command: Any) -> float:
-    """Return a number that was found in a command as a float; `name` says where, for the message."""
+    """Return a number of a command as a float; `name` says in the message which one it is."""
     try:
         return float(item)
     except (OverflowError, ValueError):

@@ -18,7 +18,7 @@ Path = tuple[str, ...]
 
 
 class NamedForm(Form):
-    """An object whose attributes, or a mapping whose keys, are the numbers; ``linear.x`` is the x of its linear."""
+    """An object or mapping whose numbers are found by name; ``linear.x`` is the x of its ``linear``."""
 
     def __init__(self, names: Sequence[str]) -> None:
         self._paths: list[Path] = [tuple(name.split(".")) for name in names]
@@ -141,7 +141,7 @@ def is_same(own: Any, other: Any) -> bool:
 
 
 def _replace_numbers(owner: Any, numbers: Mapping[Path, float]) -> Any:
-    """Return a copy of an owner's object with other numbers; what lies on the way to them is copied too."""
+    """Return a copy of an owner's object with other numbers; objects on the way to them are copied too."""
     inside: dict[str, dict[Path, float]] = {}
     for (step, *rest), number in numbers.items():
         inside.setdefault(step, {})[tuple(rest)] = number
@@ -153,7 +153,7 @@ def _replace_numbers(owner: Any, numbers: Mapping[Path, float]) -> Any:
 
 
 def _replace_members(owner: Any, changes: dict[str, Any]) -> Any:
-    """Return a copy with other members, made the way that the owner's type makes copies; it may refuse."""
+    """Return a copy with other members, made in the way of the owner's type, which may refuse."""
     if isinstance(owner, BaseModel):
         return owner.model_copy(update=changes)
     if dataclasses.is_dataclass(owner) and not isinstance(owner, type):

@@ -1,6 +1,6 @@
 """What a student may say. Two types, never one with optional fields.
 
-Levels and bits travel towards the robot, so they are really validated; numpy integers and booleans are taken, floats
+Levels and bits decide what the robot does, so they are validated: numpy integers and booleans are taken, floats
 and strings are not.
 """
 
@@ -78,7 +78,7 @@ class LevelProposal(BaseModel):
 
 
 class KindProposal(BaseModel):
-    """An action kind with its level and ampbit (Thesis 3.3.2). The kind is None where a code names no kind.
+    """An action kind with its level and ampbit (Thesis 3.3.2). The kind is None where the student's output names none.
 
     >>> KindProposal(kind="forward", level=2, ampbit=True).kind
     'forward'

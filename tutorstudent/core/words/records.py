@@ -17,7 +17,7 @@ Margins = Mapping[str, tuple[float, ...]]
 
 
 class Moment(NamedTuple, Generic[StateT, ActionT]):
-    """What is known at the moment of a decision; what students and encoders are given."""
+    """What is known when a decision is made: all that students and encoders are given."""
 
     number: int
     """Decision number, counted from 0 over all trials."""
@@ -75,7 +75,7 @@ class Lesson(NamedTuple, Generic[StateT, ActionT]):
 
 
 class Incident(NamedTuple):
-    """Something that a part did and that its contract forbids."""
+    """Something a part did that its contract forbids, or a failure of a part."""
 
     decision: int
     part: str

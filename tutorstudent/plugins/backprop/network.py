@@ -1,6 +1,6 @@
 """Incremental backpropagation for one hidden layer (Thesis Appendix C), with momentum (Table 1).
 
-Plain numpy: no component, no state of a robot. Every buffer is allocated once, so that `Network.forward` and
+Plain numpy, which knows neither parts nor robots. Every buffer is allocated once, so that `Network.forward` and
 `Network.teach` allocate nothing.
 """
 

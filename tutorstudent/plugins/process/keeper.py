@@ -1,4 +1,4 @@
-"""Keeps a program running: starts it, greets it, asks it, and starts it again where that is allowed."""
+"""Keeps a program running: starts it, greets it, asks it, and restarts it where that is allowed."""
 
 from __future__ import annotations
 
@@ -48,8 +48,7 @@ class Keeper:
     def ask(self, number: int, message: bytes, until_s: float) -> Answer:
         """Return the answer to decision `number`.
 
-        A program that broke down is started again and asked the same, as often as `restarts` allows and while there
-        is time.
+        A program that broke down is restarted and asked again, as often as `restarts` allows and while there is time.
 
         Raises:
             ContractError: There is no answer; never later than at `until_s` of the monotonic clock.
@@ -58,7 +57,7 @@ class Keeper:
             try:
                 program = self._require_running(until_s)
                 if not self._await_greeting(program, until_s):
-                    raise ContractError(f"{self._format_name()}: {self._reason} It is being started again.")
+                    raise ContractError(f"{self._format_name()}: {self._reason} It is being restarted.")
                 if answer := self._await_answer(program, number, message, until_s):
                     self._late = 0
                     return answer
@@ -67,7 +66,7 @@ class Keeper:
                 self._lose(trouble)
 
     def tell(self, message: bytes) -> None:
-        """Say something that wants no answer; a program that does not run need not hear it."""
+        """Send a message that needs no answer, if the program runs."""
         if self._program is not None and self._program.greeted:
             try:
                 self._program.send(message)
@@ -85,12 +84,12 @@ class Keeper:
         if self._program is not None:
             return self._program
         if self._closed:
-            raise ContractError(f"{self._format_name()}: it was closed, and a closed tutor is not asked again.")
+            raise ContractError(f"{self._format_name()}: it was closed; a closed tutor cannot be asked.")
         if self._restarts >= self._options.restarts:
             used = f"all {self._restarts} restarts are used up" if self._restarts else "restarts: 0"
-            raise ContractError(f"{self._format_name()}: {self._reason} It is not started again ({used}).")
+            raise ContractError(f"{self._format_name()}: {self._reason} It is not restarted ({used}).")
         if self._not_before_s >= until_s:
-            raise ContractError(f"{self._format_name()}: {self._reason} It is started again later (backoff_s).")
+            raise ContractError(f"{self._format_name()}: {self._reason} It is restarted later (backoff_s).")
         time.sleep(max(0.0, self._not_before_s - time.monotonic()))
         self._restarts += 1
         return self._begin()

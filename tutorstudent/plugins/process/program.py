@@ -1,4 +1,4 @@
-"""A running program behind three pipes. Nothing here waits longer than it was told to, whatever the program does."""
+"""A running program behind three pipes. Nothing here waits longer than it should, whatever the program does."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ KEPT = 2000
 PENDING = 64 * 1024 * 1024
 """Bytes that may wait for a program that does not read."""
 TICK_S = 0.02
-"""How often a silent program is looked after: one that died may have left its pipes to a child."""
+"""How often a silent program is checked: one that died may have left its pipes to a child."""
 
 
 class Trouble(Exception):
-    """The program cannot go on: it ended, or nobody understands it. Never leaves the plugin."""
+    """The program cannot go on: it ended, or its output makes no sense. Never raised outside this plugin."""
 
 
 class Program:
     """Starts the program; raises `Trouble` if it cannot be started.
 
-    Standard error is read whenever anything else is, and only its end is kept; between decisions nobody reads, and a
-    program that says more than a pipe holds waits.
+    Standard error is read whenever anything else is, and only its end is kept. Nothing is read between decisions: a
+    program that writes more than a pipe holds has to wait.
     """
 
     def __init__(self, options: ProcessOptions) -> None:
@@ -49,7 +49,7 @@ class Program:
         self._mute = self._deaf = False
 
     def send(self, line: bytes) -> None:
-        """Say a line; what does not fit into the pipe is sent while answers are awaited."""
+        """Send a line; what does not fit into the pipe follows while an answer is awaited."""
         if len(self._outgoing) > PENDING:
             raise Trouble("it does not read what it is told")
         self._outgoing += line
@@ -71,7 +71,7 @@ class Program:
         return line
 
     def quote_errors(self) -> str:
-        """Return the end of what it wrote to standard error, as a sentence to append; empty if that is nothing."""
+        """Return the end of its standard error as a sentence to append; empty if there is none."""
         text = self._tail.decode("utf-8", "backslashreplace")
         lines = [line.strip() for line in text.splitlines()[-5:] if line.strip()]
         return f" Its standard error ends: {' | '.join(lines)}" if lines else ""

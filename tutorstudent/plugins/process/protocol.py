@@ -14,7 +14,7 @@ SHOWN = 120
 
 
 class Unreadable(Exception):
-    """A line that is no answer; the two sides do not understand each other any more."""
+    """A line that is no message of the protocol."""
 
 
 class Answer(NamedTuple):

@@ -1,4 +1,4 @@
-"""Starting a program in a group of its own, and ending the whole group, whatever becomes of us."""
+"""Starts a program in a process group of its own, and ends the whole group even if we are killed."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from tutorstudent.plugins.process import watchdog
 from tutorstudent.plugins.process.process_options import ProcessOptions
 
 KILL_TIMEOUT_S = 10.0
-"""A busy system may take its time with a process that was ended, most often a millisecond; we wait no longer."""
+"""How long to wait for an ended process; usually it takes a millisecond."""
 
 
 class Started(NamedTuple):
-    """A program with its watchdog and the ends of its pipes that are ours."""
+    """A program with its watchdog and our ends of its pipes."""
 
     process: subprocess.Popen[bytes]
     watchdog: subprocess.Popen[bytes]
     streams: tuple[IO[Any], ...]
     """Standard input, output and error of the program."""
     owner: int
-    """The process that started it; a fork of it must not end it."""
+    """The process that started it; only that one may end it, not a fork of it."""
 
     @property
     def pipes(self) -> list[int]:

@@ -41,7 +41,7 @@ class ProcessTutor(Tutor[Any, Any]):
         self._situation = ""
 
     def parts(self) -> Iterator[tuple[str, Component]]:
-        """Yield nothing: of the world in the options only the action class is read; it is never set up."""
+        """Yield nothing: only the action class of the world in the options is used; the world is never set up."""
         yield from ()
 
     def setup(self) -> None:

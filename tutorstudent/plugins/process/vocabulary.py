@@ -1,6 +1,6 @@
 """Which actions a program answers with: a world's own action class, or one written out in the pipeline.
 
-Import paths are not read: a pipeline names what is installed, or says what it means.
+There are no import paths: a pipeline names what is installed, or writes it out.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def find_action_class(action: ActionOptions | None, action_of: World[Any, Any] |
     """Return the action class that the options state.
 
     Raises:
-        PipelineError: if they state none or two, or the world takes whatever fits.
+        PipelineError: if they state none or two, or the world has no action class of its own.
         ContractError: if what is written out makes no sense as an action.
     """
     if (action is None) == (action_of is None):

@@ -1,4 +1,4 @@
-"""Ends a process group as soon as whoever started this lets go of its standard input, even by being killed.
+"""Ends a process group as soon as its standard input is closed, so even when its starter was killed.
 
 Run as a script, with the number of the group; imports nothing of the package, so that it starts at once.
 """

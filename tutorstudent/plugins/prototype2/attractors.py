@@ -1,4 +1,4 @@
-"""Attractors found: the tutor's event, counted from what the tutor says it is in (Thesis 4.2)."""
+"""Attractors found, counted from the tutor's situation (Thesis 4.2)."""
 
 from __future__ import annotations
 

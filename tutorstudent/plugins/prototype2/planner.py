@@ -27,7 +27,7 @@ RuleTable = Mapping[str, Sequence[Rule[ContextT, CommandT]]]
 
 
 class StatePlanner(Generic[ContextT, CommandT]):
-    """Tests the rules of its state from the first to the last; the first that applies acts and names the next state.
+    """Acts by the first rule of its state that applies; the rule names the next state.
 
     >>> planner = StatePlanner({"up": [Rule("turn", bool, str, "down"), Rule("rise", lambda x: True, str, "up")],
     ...                         "down": [Rule("sink", lambda x: True, str, "down")]}, start="up")
@@ -69,7 +69,7 @@ class StatePlanner(Generic[ContextT, CommandT]):
                 return rule.action(context)
         path = " -> ".join([*visited, self.state])
         raise ContractError(
-            f"state planner: no rule acted, the decision was handed on in a circle ({path}); "
+            f"state planner: no rule acted; the states passed the decision on in a circle ({path}); "
             "give one of these rules an action."
         )
 

@@ -9,6 +9,13 @@ from pydantic import ValidationInfo, field_validator
 from tutorstudent.core.roles.part import Field, Options
 
 
+def _check_more(value: float, info: ValidationInfo, other: str, why: str) -> float:
+    bound = info.data.get(other, 0.0)
+    if value <= bound:
+        raise ValueError(f"must be more than {other} ({bound}), or {why}")
+    return value
+
+
 class Thresholds(Options):
     """Distances at which prototype 2 reacts, from the sonar or the camera; its rules and its encoders share them."""
 
@@ -26,11 +33,8 @@ class Thresholds(Options):
 
     @field_validator("clear_m")
     @classmethod
-    def _clear_is_beyond_front(cls, clear_m: float, info: ValidationInfo) -> float:
-        front_m = info.data.get("front_m", 0.0)
-        if clear_m <= front_m:
-            raise ValueError(f"must be more than front_m ({front_m}), or a spin would end in front of an obstacle")
-        return clear_m
+    def _check_clear(cls, clear_m: float, info: ValidationInfo) -> float:
+        return _check_more(clear_m, info, "front_m", "a spin would end in front of an obstacle")
 
 
 class Tuning(Thresholds):
@@ -86,11 +90,8 @@ class BitThresholds(Thresholds):
 
     @field_validator("side_limited_m")
     @classmethod
-    def _limited_is_beyond_side(cls, side_limited_m: float, info: ValidationInfo) -> float:
-        side_m = info.data.get("side_m", 0.0)
-        if side_limited_m <= side_m:
-            raise ValueError(f"must be more than side_m ({side_m}), or two bits would say the same")
-        return side_limited_m
+    def _check_side_limited(cls, side_limited_m: float, info: ValidationInfo) -> float:
+        return _check_more(side_limited_m, info, "side_m", "two bits would say the same")
 
 
 class ThermometerThresholds(BitThresholds):
@@ -102,7 +103,7 @@ class ThermometerThresholds(BitThresholds):
 
     @field_validator("front_steps_m")
     @classmethod
-    def _steps_ascend(cls, steps: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    def _check_ascent(cls, steps: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
         if any(near >= far for near, far in pairwise((0.0, *steps))):
             raise ValueError("must be positive and ascending")
         return steps

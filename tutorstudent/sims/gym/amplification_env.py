@@ -1,4 +1,4 @@
-"""Any pipeline as a Gymnasium environment: whatever learns there takes the student's place, under the same contract."""
+"""Any pipeline as a Gymnasium environment: its agent replaces the student, under the same contract."""
 
 from __future__ import annotations
 

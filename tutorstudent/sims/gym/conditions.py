@@ -66,7 +66,7 @@ class ObservationOutside(Condition[GymState]):
     class Options(part.Options):
         """Which number and which range."""
 
-        index: int = Field(ge=0, description="place of the number in the flattened observation, from 0")
+        index: int = Field(ge=0, description="index of the number in the flattened observation, from 0")
         low: float = Field(description="smallest value that is no violation, in the observation's unit")
         high: float = Field(description="largest value that is no violation, in the observation's unit")
 

@@ -1,4 +1,4 @@
-"""A pipeline whose levels come from outside: its own tutor, conditions, limits and world, somebody else's student."""
+"""A pipeline whose levels come from outside: its own tutor, conditions, limits and world, but no student."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tutorstudent.sims.gym.outside import Ahead, Held, Outside
 
 
 class Driven(NamedTuple):
-    """An engine with the two parts that whoever chooses the levels talks to."""
+    """An engine with the two parts through which levels come from outside."""
 
     engine: Engine[Any, Any, Any]
     tutor: Ahead

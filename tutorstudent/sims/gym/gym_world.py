@@ -82,7 +82,7 @@ class GymnasiumWorld(World[GymState, Action]):
         return Step(state, events, state.terminated, state.truncated)
 
     def close(self) -> None:
-        """Let the environment go. A later `reset` makes a new one."""
+        """Close the environment. A later `reset` makes a new one."""
         super().close()
         if self._env is not None:
             self._env.close()

@@ -1,4 +1,4 @@
-"""Gymnasium is imported only where something is asked of it."""
+"""Imports Gymnasium only when it is needed."""
 
 from __future__ import annotations
 

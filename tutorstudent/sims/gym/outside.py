@@ -1,4 +1,4 @@
-"""Stand-ins for the parts of an engine whose student is somebody else's learner."""
+"""Stand-ins for the parts of an engine whose levels a learner outside it chooses."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tutorstudent.core.words.records import GradedAction, Lesson, Moment, StateT
 
 
 class Outside(Student[StateT, ActionT, LevelProposal]):
-    """Proposes the level that somebody else decided on; learns nothing itself."""
+    """Proposes the level that was decided outside; learns nothing itself."""
 
     name = "outside"
 
@@ -42,7 +42,7 @@ class Outside(Student[StateT, ActionT, LevelProposal]):
 
 
 class Held(Amplifier[ActionT]):
-    """Raises nothing; a level moves a component as far as with the amplifier that it holds."""
+    """Raises nothing; a level moves a component as far as under the amplifier that it holds."""
 
     name = "held"
 
@@ -65,9 +65,9 @@ class Held(Amplifier[ActionT]):
 
 
 class Ahead(Tutor[Any, Any]):
-    """A tutor that was asked before the engine asks: whoever chooses the level sees the tutor's action first.
+    """A tutor that can be asked before the engine asks, so that whoever chooses the level sees its action.
 
-    The tutor inside is still called once per decision, in order, and stands where this one stands.
+    The tutor inside is still called once per decision, in order, and has this one's slot.
     """
 
     name = "ahead"
@@ -85,7 +85,7 @@ class Ahead(Tutor[Any, Any]):
         self._error: Exception | None = None
 
     def parts(self) -> Iterator[tuple[str, Component]]:
-        """Yield nothing: the tutor is bound to this one's own slot, for the same random numbers as ever."""
+        """Yield nothing: the tutor inside is bound to this one's slot, so that its random numbers stay the same."""
         yield from ()
 
     def bind(self, binding: Binding) -> None:

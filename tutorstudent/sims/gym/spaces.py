@@ -1,6 +1,6 @@
 """Action spaces and action classes: which fit together, and one made for the other.
 
-Only a box of numbers has a magnitude to amplify. A discrete action is a choice; how much of it there is, nobody said.
+Only a box of numbers has magnitudes to amplify; a discrete action is a choice without one.
 """
 
 from __future__ import annotations
@@ -71,8 +71,8 @@ def box_action(
         for name, low, high in zip(named, lows, highs, strict=True)
     }
     made: type[Command] = create_model("BoxAction", __base__=Command, __module__=__name__, **fields)
-    alone = None if amplified is None else dict.fromkeys(amplified, "outward")
-    made.amplification = {"command": alone or {tuple(named): "outward"}}  # type: ignore[dict-item]
+    directions = None if amplified is None else dict.fromkeys(amplified, "outward")
+    made.amplification = {"command": directions or {tuple(named): "outward"}}  # type: ignore[dict-item]
     made.vocabulary = read_vocabulary(made)
     return made
 

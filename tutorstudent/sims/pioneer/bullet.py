@@ -84,7 +84,7 @@ class Bullet:
         self.api.resetSimulation(physicsClientId=self._client)
 
     def close(self) -> None:
-        """Let the client go; does nothing the second time."""
+        """Close the client; does nothing the second time."""
         if self._client != FAILED:
             self.api.disconnect(physicsClientId=self._client)
             self._client = FAILED

@@ -34,7 +34,7 @@ def make_camera(options: PioneerOptions, bullet: Bullet, layout: Layout, stage: 
 
 
 class RenderedCamera:
-    """Renders what stands before the learner and finds coloured bodies in the row of the horizon.
+    """Renders what is before the learner and finds coloured bodies in the row of the horizon.
 
     Bodies are told apart by the renderer's mask, and ranges come from its depth image, so light does not matter.
 

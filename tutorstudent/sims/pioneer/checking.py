@@ -1,4 +1,4 @@
-"""Checking the values of a scene's files, and saying where each mistake stands."""
+"""Checks the values of a scene's files, and says where each mistake is."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def _get_item(data: Any, key: int | str) -> Any:
 
 
 def _describe_problem(model: type[Spec], item: Any) -> str:
-    """Say what is wrong; where it stands is told before."""
+    """Say what is wrong; the place is said before."""
     *above, last = item["loc"] or ("",)
     found = reprlib.repr(item["input"])
     match item["type"]:

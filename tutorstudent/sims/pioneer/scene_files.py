@@ -31,7 +31,7 @@ def find_scene(name: str) -> Path:
 
 
 def make_lasting_name(name: str) -> str:
-    """Return what names the scene from any working directory: a shipped name, or an absolute path.
+    """Return a name of the scene that is valid in any working directory: a shipped name, or an absolute path.
 
     >>> make_lasting_name("cave-box")
     'cave-box'
@@ -40,10 +40,10 @@ def make_lasting_name(name: str) -> str:
 
 
 def read_scene(path: Path) -> tuple[SceneSpec, Walls | RosMap]:
-    """Return what a scene file says, and its walls, wherever they stand; a map's name leads to its file.
+    """Return a scene and its walls, which may be in another file; the name of a map is the path of its file.
 
     Raises:
-        PipelineError: A file cannot be read, or says something that is no scene.
+        PipelineError: A file cannot be read, or is no scene.
     """
     document = read_yaml(path)
     spec = validate(SceneSpec, document)

@@ -64,8 +64,8 @@ def make_families(study: Study) -> list[Family]:
         for environment in study.plan.environments:
             runs = [run for run in study.runs if run.environment == environment.name]
             for about, quantities in list_measures(environment, runs).items():
-                shown = [item for item in quantities if item.better or contests is pair_with_tutor]
-                held = _compare_all(study, contests(environment), shown)
+                judged = [item for item in quantities if item.better or contests is pair_with_tutor]
+                held = _compare_all(study, contests(environment), judged)
                 made.setdefault(f"{title}: {about}", []).extend(held)
     return [Family(title, correct(found)) for title, found in made.items() if found]
 

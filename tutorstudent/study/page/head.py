@@ -36,10 +36,10 @@ def make_head(study: Study, title: str, palette: Palette) -> str:
 def _describe_size(study: Study) -> str:
     plan = study.plan
     seeds = f"seed {plan.seeds[0]}" if len(plan.seeds) == 1 else f"seeds {plan.seeds[0]} to {plan.seeds[-1]}"
-    places = len(plan.environments)
+    environments = len(plan.environments)
     return (
         f"{len(plan.variants())} pipelines and controls, {len(plan.seeds)} paired runs each ({seeds}) of "
-        f"{plan.decisions} decisions in {places} environment{'s' if places > 1 else ''}: "
+        f"{plan.decisions} decisions in {environments} environment{'s' if environments > 1 else ''}: "
         f"{len(study.runs)} runs, all of them shown."
     )
 

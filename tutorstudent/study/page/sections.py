@@ -20,7 +20,7 @@ from tutorstudent.study.tables.table import Table
 from tutorstudent.study.tables.tables import make_runs_table, make_tables
 
 
-class Place:
+class Chapter:
     """One environment of a study, with what several of its sections are made from."""
 
     def __init__(self, study: Study, environment: Environment, palette: Palette) -> None:
@@ -32,52 +32,53 @@ class Place:
         return draw_pictures(self.study, self.environment, self.palette)
 
 
-def what_was_gained(place: Place) -> str | None:
+def what_was_gained(chapter: Chapter) -> str | None:
     """Return every run's gain against its harm."""
-    return _make_galleries(place.pictures.overview)
+    return _make_galleries(chapter.pictures.overview)
 
 
-def all_tables(place: Place) -> str | None:
+def all_tables(chapter: Chapter) -> str | None:
     """Return the tables; each explains its own columns."""
-    return "\n".join(_make_table(place, table) for table in make_tables(place.study, place.environment))
+    return "\n".join(_make_table(chapter, table) for table in make_tables(chapter.study, chapter.environment))
 
 
-def every_run_and_its_way(place: Place) -> str | None:
+def every_run_and_its_way(chapter: Chapter) -> str | None:
     """Return every run as a dot, learning curves, maps and the film."""
-    return _make_galleries(place.pictures.details)
+    return _make_galleries(chapter.pictures.details)
 
 
-def details_over_time(place: Place) -> str | None:
+def details_over_time(chapter: Chapter) -> str | None:
     """Return the learning curves of measures that are details."""
-    return fold("Learning curves of the details", _make_galleries(place.pictures.others))
+    return fold("Learning curves of the details", _make_galleries(chapter.pictures.others))
 
 
-def totals_over_time(place: Place) -> str | None:
+def totals_over_time(chapter: Chapter) -> str | None:
     """Return the curves of what is found and of harm once more, summed up."""
-    return fold("Learning curves, summed up", _make_galleries(place.pictures.totals))
+    return fold("Learning curves, summed up", _make_galleries(chapter.pictures.totals))
 
 
-def search(place: Place) -> str | None:
+def search(chapter: Chapter) -> str | None:
     """Return how the constant level was searched for."""
-    found = place.study.search
-    table = make_search_table(found, place.environment.name) if found else None
+    found = chapter.study.search
+    table = make_search_table(found, chapter.environment.name) if found else None
     return fold(table.title, make_html(table, colour_levels())) if table and table.rows else None
 
 
-def runs_as_numbers(place: Place) -> str | None:
+def runs_as_numbers(chapter: Chapter) -> str | None:
     """Return a row for each run."""
     return fold(
-        "Every run as numbers", make_html(make_runs_table(place.study, place.environment), place.palette.list_css())
+        "Every run as numbers",
+        make_html(make_runs_table(chapter.study, chapter.environment), chapter.palette.list_css()),
     )
 
 
-def environment(place: Place) -> str:
+def environment(chapter: Chapter) -> str:
     """Return everything about one environment."""
-    name = escape(place.environment.name)
-    return f'<section id="{name}">\n<h2>{name}</h2>\n{_join(IN_AN_ENVIRONMENT, place)}\n</section>'
+    name = escape(chapter.environment.name)
+    return f'<section id="{name}">\n<h2>{name}</h2>\n{_join(IN_AN_ENVIRONMENT, chapter)}\n</section>'
 
 
-IN_AN_ENVIRONMENT: tuple[Callable[[Place], str | None], ...] = (
+IN_AN_ENVIRONMENT: tuple[Callable[[Chapter], str | None], ...] = (
     what_was_gained,
     all_tables,
     every_run_and_its_way,
@@ -97,7 +98,7 @@ def head(study: Study) -> str | None:
 def environments(study: Study) -> str | None:
     """Return a section for each environment."""
     palette = Palette(study.plan.variants())
-    return "\n".join(environment(Place(study, item, palette)) for item in study.plan.environments)
+    return "\n".join(environment(Chapter(study, item, palette)) for item in study.plan.environments)
 
 
 def what_was_run(study: Study) -> str | None:
@@ -138,8 +139,8 @@ def _make_galleries(galleries: Iterable[Gallery]) -> str:
     return "\n".join(map(make_gallery, galleries))
 
 
-def _make_table(place: Place, table: Table) -> str:
+def _make_table(chapter: Chapter, table: Table) -> str:
     """Return a table; one that has more rows than there are variants, and so pairs of them, is folded."""
-    body = make_html(table, place.palette.list_css())
-    is_long = len(table.rows) > len(place.environment.variants)
+    body = make_html(table, chapter.palette.list_css())
+    is_long = len(table.rows) > len(chapter.environment.variants)
     return (fold(table.title, body) if is_long else None) or f"<h3>{escape(table.title)}</h3>\n{body}"

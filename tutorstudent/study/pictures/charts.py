@@ -33,29 +33,32 @@ class Axis(NamedTuple):
 def make_decision_axis(decisions: float) -> Axis:
     """Return the scale of decisions."""
     ticks = MaxNLocator(4, integer=True, steps=STEPS).tick_values(0, decisions)
-    shown = tuple(
+    labelled = tuple(
         (tick, f"{tick / 1000:g}k" if tick >= 1000 else f"{tick:g}") for tick in ticks if 0 <= tick <= decisions
     )
-    return Axis(decisions, shown, lambda values: values / decisions)
+    return Axis(decisions, labelled, lambda values: values / decisions)
 
 
 def make_value_axis(highest: Sequence[float], lowest: float = 0.0, least: float = 1.0) -> Axis:
-    """Return a scale for curves that reach so high; linear, or logarithmic beyond a bound where few are far above.
+    """Return a scale for curves: linear, or logarithmic where a few are far above the rest.
 
     Args:
-        highest: Of each curve.
-        lowest: Of all curves; the scale begins at 0 or below.
-        least: What the scale holds at least, so that next to nothing does not look like much.
+        highest: Highest value of each curve.
+        lowest: Lowest of all curves; the scale begins at 0 or below.
+        least: The scale reaches at least so far, so that small values look small.
     """
     top, bottom = max([least, *highest]), min(0.0, lowest)
     limit = top + 0.04 * (top - bottom)
     if is_long_tailed(highest) and not bottom:
         return Axis(
-            limit, _make_ticks(make_long_ticks(top, (5, 10))), lambda values: find_long_share(values, limit), LONG_LABEL
+            limit,
+            _make_ticks(make_long_ticks(top, (5, 10))),
+            lambda values: find_long_share(values, limit),
+            LONG_LABEL,
         )
     ticks = MaxNLocator(5, integer=least >= 1, steps=STEPS).tick_values(bottom, top)
-    shown = _make_ticks([tick for tick in ticks if bottom <= tick <= limit])
-    return Axis(limit, shown, lambda values: (values - bottom) / (limit - bottom))
+    labelled = _make_ticks([tick for tick in ticks if bottom <= tick <= limit])
+    return Axis(limit, labelled, lambda values: (values - bottom) / (limit - bottom))
 
 
 def _make_ticks(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
@@ -63,7 +66,7 @@ def _make_ticks(ticks: Sequence[float]) -> tuple[tuple[float, str], ...]:
 
 
 class Chart:
-    """Curves over decisions. What they look like stands in the page's style sheet.
+    """Curves over decisions. The page's style sheet says what they look like.
 
     >>> chart = Chart(make_decision_axis(10.0), make_value_axis([4.0]))
     >>> chart.add_curve(np.array([0.0, 10.0]), np.array([0.0, 4.0]), "run", "red")

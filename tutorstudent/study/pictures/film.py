@@ -1,4 +1,4 @@
-"""A short film of the end of a run, as a GIF: nothing has to be installed or fetched to see it."""
+"""A short film of the end of a run, as a GIF, which every browser shows."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SHARES = (1.0, 0.75, 0.5, 0.25)
 
 
 class Film(NamedTuple):
-    """A film, and what stands in for it where nothing should move."""
+    """A film, and a still picture for where nothing should move."""
 
     gif: bytes
     still: bytes
@@ -48,12 +48,12 @@ def make_film(title: str, sketch: Sketch, arrays: Arrays, counters: Mapping[str,
         counters: What is counted, and the situation whose entries that is.
         harm: What harmed decisions are called.
     """
-    shown = make_shot(title, arrays, counters, harm)
-    if shown is None:
+    shot = make_shot(title, arrays, counters, harm)
+    if shot is None:
         return None
-    last = len(shown.levels)
+    last = len(shot.levels)
     first = max(0, last - DECISIONS)
-    taken = _reduce_colours(list(draw_frames(shown, sketch, first, FRAMES)))
+    taken = _reduce_colours(list(draw_frames(shot, sketch, first, FRAMES)))
     clock = read_event(arrays, "time_s")
     duration_s = len(taken) * FRAME_MS / 1000
     time_lapse = None if clock is None else float(clock[first:].sum()) / duration_s

@@ -1,4 +1,4 @@
-"""Pictures that belong together, with what has to be known to read them, as HTML."""
+"""Pictures that belong together, with a caption that explains them, as HTML."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ class Gallery(NamedTuple):
 
 def make_gallery(gallery: Gallery) -> str:
     """Return a gallery with its heading."""
-    shown = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
+    figures = "".join(f'<figure class="picture">{figure}</figure>' for figure in gallery.figures)
     note = f'<p class="note">{gallery.note}</p>'
-    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{shown}</div>'
+    return f'<h3>{escape(gallery.title)}</h3>\n{note}\n<div class="{gallery.layout}">{figures}</div>'
 
 
 def rate_gallery(

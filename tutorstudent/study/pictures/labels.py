@@ -1,4 +1,4 @@
-"""Where names stand beside their marks without hiding each other."""
+"""Puts names beside their marks so that they do not hide each other."""
 
 from __future__ import annotations
 

@@ -126,7 +126,7 @@ def _draw_names(axes: Axes, gains: Gains, palette: Palette) -> None:
 
 
 def _find_obstacles(axes: Axes, gains: Gains) -> list[Point]:
-    """Return what names had better not hide: runs, and points every few pixels along the lines."""
+    """Return what names should not hide: runs, and points every few pixels along the lines."""
     found = _move_to_paper(axes, [run for row in gains.rows.values() for run in row.runs])
     lines = [_move_to_paper(axes, ends) for row in gains.rows.values() for ends in _make_bars(row)]
     x_lim, y_lim = axes.get_xlim(), axes.get_ylim()
@@ -137,9 +137,9 @@ def _find_obstacles(axes: Axes, gains: Gains) -> list[Point]:
     return found
 
 
-def _move_to_paper(axes: Axes, places: Iterable[Sequence[float]]) -> list[Point]:
-    """Return where places of the picture's scales stand on the drawing, in points."""
-    drawn = axes.transData.transform(np.reshape(list(places), (-1, 2))) * 72 / axes.figure.dpi
+def _move_to_paper(axes: Axes, points: Iterable[Sequence[float]]) -> list[Point]:
+    """Return points of the picture's scales as points of the drawing."""
+    drawn = axes.transData.transform(np.reshape(list(points), (-1, 2))) * 72 / axes.figure.dpi
     return [(float(x), float(y)) for x, y in drawn]
 
 

@@ -28,7 +28,7 @@ class Shot(NamedTuple):
     """What a film shows, decision by decision."""
 
     title: str
-    places: NDArray[np.float64]
+    points: NDArray[np.float64]
     """Shape (decisions, 2), metres."""
     headings_rad: Curve | None
     levels: NDArray[np.int_]
@@ -61,51 +61,51 @@ def make_shot(title: str, arrays: Arrays, counters: Mapping[str, str], harm: str
     )
 
 
-def draw_frames(shown: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Image.Image]:
+def draw_frames(shot: Shot, sketch: Sketch, first: int, count: int) -> Iterator[Image.Image]:
     """Yield about `count` frames, from decision `first` (counted from 0) to the end of the run."""
-    seen = make_view(sketch, shown.places)
+    seen = make_view(sketch, shot.points)
     canvas = draw_stage(sketch, seen)
-    step = math.ceil((len(shown.levels) - first) / count)
-    for begin in range(first, len(shown.levels), step):
-        end = min(begin + step, len(shown.levels))
+    step = math.ceil((len(shot.levels) - first) / count)
+    for begin in range(first, len(shot.levels), step):
+        end = min(begin + step, len(shot.levels))
         for decision in range(begin, end):
-            _add(ImageDraw.Draw(canvas), shown, seen, decision, is_first=decision == first)
+            _add(ImageDraw.Draw(canvas), shot, seen, decision, is_first=decision == first)
         frame = canvas.copy()
-        _draw_learner(ImageDraw.Draw(frame), shown, seen, end - 1)
-        _write(ImageDraw.Draw(frame), shown, end - 1)
+        _draw_learner(ImageDraw.Draw(frame), shot, seen, end - 1)
+        _write(ImageDraw.Draw(frame), shot, end - 1)
         yield frame.reduce(FINER)
 
 
-def _add(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int, *, is_first: bool) -> None:
-    x, y = seen.to_pixels(*shown.places[decision])
-    if not is_first and not shown.trial_ended[decision - 1]:
-        draw.line([seen.to_pixels(*shown.places[decision - 1]), (x, y)], fill=shown.colours[decision], width=FINER + 1)
-    if shown.harmed[decision]:
+def _add(draw: ImageDraw.ImageDraw, shot: Shot, seen: View, decision: int, *, is_first: bool) -> None:
+    x, y = seen.to_pixels(*shot.points[decision])
+    if not is_first and not shot.trial_ended[decision - 1]:
+        draw.line([seen.to_pixels(*shot.points[decision - 1]), (x, y)], fill=shot.colours[decision], width=FINER + 1)
+    if shot.harmed[decision]:
         reach = 4.5 * FINER
         draw.ellipse((x - reach, y - reach, x + reach, y + reach), outline=HARM, width=FINER + 1)
 
 
-def _draw_learner(draw: ImageDraw.ImageDraw, shown: Shot, seen: View, decision: int) -> None:
-    x, y = seen.to_pixels(*shown.places[decision])
+def _draw_learner(draw: ImageDraw.ImageDraw, shot: Shot, seen: View, decision: int) -> None:
+    x, y = seen.to_pixels(*shot.points[decision])
     reach = max(BODY_M * seen.fine_px_per_m, BODY_PX * FINER)
     draw.ellipse((x - reach, y - reach, x + reach, y + reach), fill=MAP_COLOURS["green"])
-    if shown.headings_rad is not None:
-        heading = shown.headings_rad[decision]
+    if shot.headings_rad is not None:
+        heading = shot.headings_rad[decision]
         tip = (x + 1.5 * reach * math.cos(heading), y - 1.5 * reach * math.sin(heading))
         draw.line([(x, y), tip], fill="black", width=FINER + 1)
 
 
-def _write(draw: ImageDraw.ImageDraw, shown: Shot, decision: int) -> None:
+def _write(draw: ImageDraw.ImageDraw, shot: Shot, decision: int) -> None:
     """Write two lines above the picture: what it is and when, and what was counted by then."""
     left, right, first, second = FINER * MARGIN_PX, draw.im.size[0] - FINER * MARGIN_PX, FINER * 5, FINER * 24
-    counted = "   ".join(f"{name} {counts[decision]:.0f}" for name, counts in shown.counts.items())
-    draw.text((left, first), shown.title, font=_load_font("bold"), fill="black")
+    counted = "   ".join(f"{name} {counts[decision]:.0f}" for name, counts in shot.counts.items())
+    draw.text((left, first), shot.title, font=_load_font("bold"), fill="black")
     draw.text((right, first), f"decision {decision + 1:,}", font=_load_font("normal"), fill="black", anchor="ra")
     draw.text((left, second), counted, font=_load_font("normal"), fill="black")
-    level, room = f"level {shown.levels[decision]}", FINER * 2
+    level, room = f"level {shot.levels[decision]}", FINER * 2
     reach = _load_font("normal").getlength(level) + 3 * room
     swatch = (right - reach - FINER * LETTERS_PX, second + room, right - reach, second + FINER * LETTERS_PX + room)
-    draw.rectangle(swatch, fill=shown.colours[decision])
+    draw.rectangle(swatch, fill=shot.colours[decision])
     draw.text((right, second), level, font=_load_font("normal"), fill="black", anchor="ra")
 
 
@@ -130,7 +130,7 @@ class View(NamedTuple):
     """Of the fine frame."""
 
     def to_pixels(self, x_m: float, y_m: float) -> Point:
-        """Return the place of a point."""
+        """Return a point of the world in pixels."""
         margin = FINER * MARGIN_PX
         x = margin + (x_m - self.left_m) * self.fine_px_per_m
         return x, margin + FINER * HEAD_PX + (self.top_m - y_m) * self.fine_px_per_m

@@ -1,4 +1,4 @@
-"""Drawings that stand in the page itself: sharp at any width, in the page's own type and colours."""
+"""Drawings as SVG inside the page: sharp at any width, in the page's own type and colours."""
 
 from __future__ import annotations
 

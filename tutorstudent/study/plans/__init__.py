@@ -1,1 +1,1 @@
-"""What is asked: pipelines, environments, controls, and the plan that they make."""
+"""What a comparison runs: pipelines, environments, controls, and the plan made of them."""

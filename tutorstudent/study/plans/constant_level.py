@@ -91,8 +91,8 @@ def settle(plan: Plan, searched: Searched | None) -> Plan:
     search = plan.search
     if search is None or searched is None:
         return plan
-    places = zip(plan.environments, search.plan.environments, strict=True)
-    return plan._replace(environments=tuple(_add_best(place, tried, searched) for place, tried in places))
+    pairs = zip(plan.environments, search.plan.environments, strict=True)
+    return plan._replace(environments=tuple(_add_best(environment, tried, searched) for environment, tried in pairs))
 
 
 def save_searched(searched: Searched, folder: Path) -> None:
@@ -125,13 +125,15 @@ def _read_violated(item: Level) -> float:
     return item.violated or 0.0
 
 
-def _add_best(place: Environment, tried: Environment, searched: Searched) -> Environment:
-    found = searched.chosen(place.name)
-    if found is None or BEST in [variant.name for variant in place.variants]:
-        return place
+def _add_best(environment: Environment, tried: Environment, searched: Searched) -> Environment:
+    found = searched.chosen(environment.name)
+    if found is None or BEST in [variant.name for variant in environment.variants]:
+        return environment
     winner = next(variant for variant in tried.variants if variant.name == name_candidate(found.level))
     about = f"{winner.about} {_explain(found, searched)}"
-    return place._replace(variants=(*place.variants, Variant(BEST, about, True, winner.pipeline, winner.counters)))
+    return environment._replace(
+        variants=(*environment.variants, Variant(BEST, about, True, winner.pipeline, winner.counters))
+    )
 
 
 def _explain(found: Level, searched: Searched) -> str:

@@ -1,4 +1,4 @@
-"""What every comparison is held against: pipelines that learn nothing, and one that is told nothing."""
+"""What comparisons compare with: pipelines that learn nothing, and one that is told nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a comparison takes for achievement."""
+"""What a comparison counts as achievement."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ UNBOUNDED = ("share:", "violated:")
 """What begins a name in a summary that only some runs have."""
 
 
-def find_goal(asked: str, places: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
-    """Return the name of what a run is to have most of; empty where nothing counts it.
+def find_goal(asked: str, environments: Iterable[Mapping[str, Resolved]], registry: Registry) -> str:
+    """Return the name of what a run should maximise; empty where nothing counts it.
 
     Args:
-        asked: For by name; empty for what the learner's observers count first, else what its world says.
-        places: The pipelines in each environment.
+        asked: The goal by name; empty: what the learner's observers count first, else what its world says.
+        environments: The pipelines of each.
         registry: Of the plugins.
 
     Raises:
-        PipelineError: if the goal that is asked for is nothing that a run counts.
+        PipelineError: if no run counts the goal that is asked for.
     """
-    pipelines = list(places)
+    pipelines = list(environments)
     learners = [found[name] for found in pipelines if (name := find_learner(found))]
     first = next(iter([*learners, *pipelines[0].values()]))
     if asked:
@@ -45,7 +45,7 @@ def put_goal_first(goal: str, counters: Mapping[str, str], known: Mapping[str, s
 
 
 def explain_unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
-    """Return what is wrong with a goal that no run counts."""
+    """Return the error about a goal that no run counts."""
     names = sorted(known)
     return PipelineError(
         f"--goal {goal}: no run counts it{suggest(goal, names)}. What is counted: {list_names(names)}."
@@ -53,10 +53,10 @@ def explain_unknown_goal(goal: str, known: Iterable[str]) -> PipelineError:
 
 
 def _check(goal: str, resolved: Resolved, registry: Registry) -> None:
-    """Let the tutor alone take one decision to see what is counted, before all are taken."""
+    """Run the tutor alone for one decision to see what is counted."""
     if goal.startswith(UNBOUNDED):
         return
-    alone = next(make_candidates(resolved)).values
-    known = run_pipeline(reread(f"--goal {goal}", alone | {"decisions": 1}, registry)).summary
+    tutor_alone = next(make_candidates(resolved)).values
+    known = run_pipeline(reread(f"--goal {goal}", tutor_alone | {"decisions": 1}, registry)).summary
     if goal not in known:
         raise explain_unknown_goal(goal, known)

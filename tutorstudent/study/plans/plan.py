@@ -60,12 +60,12 @@ class Plan(NamedTuple):
 
     @property
     def goal(self) -> str:
-        """Of a run's summary, what it is to have most of; empty where nothing counts that."""
+        """What a run should maximise, of its summary; empty where nothing counts that."""
         counters = [key for environment in self.environments for key in environment.counters()]
         return self.search.goal if self.search else next(iter(counters), "")
 
     def jobs(self) -> list[Job]:
-        """Return all runs but those of the search, seed by seed, so that what an interrupted study leaves is paired."""
+        """Return all runs but the search's, seed by seed, so that an interrupted study leaves complete pairs."""
         return [
             Job(environment.name, variant.name, seed, self.decisions, variant.pipeline)
             for seed in self.seeds
@@ -97,7 +97,7 @@ class Search(NamedTuple):
 
 
 def _merge(variants: dict[str, Variant]) -> Variant:
-    """Return one for all environments, by whose name they are given."""
+    """Return one variant for all environments; `variants` are by environment."""
     *_, last = variants.values()
     if len({variant.about for variant in variants.values()}) == 1:
         return last

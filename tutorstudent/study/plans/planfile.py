@@ -14,7 +14,7 @@ from tutorstudent.study.plans.plan import Environment, Plan, Search, Variant
 
 FILE = "plan.json"
 FORMAT = 1
-"""Of the file; another number is another version's."""
+"""Version of the file's format."""
 
 
 def save_plan(plan: Plan, folder: Path) -> None:
@@ -106,7 +106,7 @@ SHOWN = 5
 
 
 def find_differences(there: Any, asked: Any) -> str:
-    """Return where two nested values differ, the first few; lists of things with a name are compared by name.
+    """Return the first few differences of two nested values; lists of named things are compared by name.
 
     Args:
         there: What stands in the folder.
@@ -127,13 +127,13 @@ def _walk(there: Any, asked: Any, at: str) -> Iterator[str]:
             yield f"{at}: {_shorten(there)} there, {_shorten(asked)} now"
         return
     for key in there | asked:
-        place = f"{at}.{key}" if at else str(key)
+        below = f"{at}.{key}" if at else str(key)
         if key not in asked:
-            yield f"{place}: only there"
+            yield f"{below}: only there"
         elif key not in there:
-            yield f"{place}: only now"
+            yield f"{below}: only now"
         else:
-            yield from _walk(there[key], asked[key], place)
+            yield from _walk(there[key], asked[key], below)
 
 
 def _index_by_name(value: Any) -> Any:

@@ -26,10 +26,12 @@ def make_plan(request: Request, registry: Registry) -> Plan:
     decisions = request.decisions or _find_decisions(request.pipelines)
     seeds = tuple(range(request.first_seed, request.first_seed + request.runs))
     variations: Sequence[Setting | None] = request.variations or (None,)
-    places = dict(_resolve_all(request, variation) for variation in variations)
-    request = request._replace(goal=find_goal(request.goal, places.values(), registry))
-    search = plan_search(request, places, registry, decisions)
-    environments = [_make_environment(request, name, resolved, registry, search) for name, resolved in places.items()]
+    pipelines = dict(_resolve_all(request, variation) for variation in variations)
+    request = request._replace(goal=find_goal(request.goal, pipelines.values(), registry))
+    search = plan_search(request, pipelines, registry, decisions)
+    environments = [
+        _make_environment(request, name, resolved, registry, search) for name, resolved in pipelines.items()
+    ]
     return Plan(tuple(environments), seeds, decisions, search)
 
 
@@ -96,10 +98,12 @@ def _check_name(control: str, resolved: Mapping[str, Resolved]) -> None:
 
 
 def _find_reference(variants: Sequence[Variant]) -> str:
-    """Return the name of what the learner's own tutor does alone; empty where that does not run."""
-    alone = [variant for variant in variants if is_tutor_alone(variant.pipeline)]
-    learner = next((variant for variant in variants if variant not in alone), None)
-    return next((item.name for item in alone if not learner or item.pipeline["tutor"] == learner.pipeline["tutor"]), "")
+    """Return the name of the variant that is the learner's tutor alone; empty where there is none."""
+    unamplified = [variant for variant in variants if is_tutor_alone(variant.pipeline)]
+    learner = next((variant for variant in variants if variant not in unamplified), None)
+    return next(
+        (item.name for item in unamplified if not learner or item.pipeline["tutor"] == learner.pipeline["tutor"]), ""
+    )
 
 
 def _name_file(pipeline: Pipeline) -> str:

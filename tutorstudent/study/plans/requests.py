@@ -1,4 +1,4 @@
-"""What a person asks to be compared, as plain values: files, settings, and what makes an environment."""
+"""What a person asks to compare, as plain values: files, settings and environments."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tutorstudent.core.files.yamlfile import parse_yaml
 from tutorstudent.core.words.errors import PipelineError
 
 ANY = "pipeline"
-"""What a file may be called that is then named after its folder."""
+"""The stem of files that are named after their folder."""
 
 
 class Setting(NamedTuple):
@@ -31,7 +31,7 @@ class Setting(NamedTuple):
         return make_slug(f"{self.key.rpartition('.')[2]}-{self.value}")
 
     def apply(self, pipeline: Pipeline) -> Pipeline:
-        """Return the pipeline with this value; PipelineError if it has no place for the key."""
+        """Return the pipeline with this value; PipelineError if it has no such key."""
         return pipeline.replaced({self.key: self.value})
 
 
@@ -49,7 +49,7 @@ class Request(NamedTuple):
     """One environment for each; none: the world of the files."""
     controls: bool = True
     goal: str = ""
-    """Of a run's summary, such as ``attractors``: what a run is to have most of; empty: what the learner's observers
+    """What a run should maximise, of its summary, such as ``attractors``; empty: what the learner's observers
     count first, else what its world says."""
     harm_budget: float = 0.001
     """Share of decisions that the best constant level may violate, 0 to 1."""
@@ -109,5 +109,5 @@ def read_pipelines(paths: Sequence[Path], registry: Registry) -> dict[str, Pipel
 
 
 def _find_name(path: Path) -> str:
-    """Return what a file is about; every package and every run has a ``pipeline.yaml``, so that says nothing."""
+    """Return the file's name, or its folder's where it is ``pipeline.yaml``, which is the name of many."""
     return make_slug(path.resolve().parent.name if path.stem == ANY else path.stem)

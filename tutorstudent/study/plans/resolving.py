@@ -1,4 +1,4 @@
-"""A pipeline with every value written out, and when two of them are the same."""
+"""A pipeline with every value written out, and whether two of them are the same."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from contextlib import closing
 from typing import Any, NamedTuple
 
-from tutorstudent.core.files.pipeline import SLOTS, Pipeline, describe
+from tutorstudent.core.files.pipeline import Pipeline, describe
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.interfaces import SLOTS
 from tutorstudent.core.roles.leaves import Encoder
 from tutorstudent.core.roles.world import Sketch
 from tutorstudent.core.running.observers import Entries
@@ -17,7 +18,7 @@ from tutorstudent.core.running.runner import make_trial_seed
 
 Values = Mapping[str, Any]
 UNAMPLIFIED = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
-"""What makes a difference where nothing is amplified."""
+"""The keys that matter where nothing is amplified."""
 
 
 class Resolved(NamedTuple):
@@ -61,7 +62,7 @@ def complete(name: str, values: Values, registry: Registry) -> dict[str, Any]:
 
 
 def reread(name: str, values: Values, registry: Registry) -> Pipeline:
-    """Return the pipeline that the values stand for."""
+    """Return the pipeline with these values."""
     return Pipeline(Document(name, dict(values)), registry)
 
 

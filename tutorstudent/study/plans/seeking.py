@@ -17,30 +17,30 @@ SEEDS_FROM = 1_000_000
 
 
 def plan_search(
-    request: Request, places: Mapping[str, Mapping[str, Resolved]], registry: Registry, decisions: int
+    request: Request, pipelines: Mapping[str, Mapping[str, Resolved]], registry: Registry, decisions: int
 ) -> Search | None:
     """Return the search for the best constant level; None where there is no learner, no goal, or none is wanted.
 
     Args:
         request: What is compared, with the goal that `goals.find_goal` found.
-        places: The pipelines in each environment.
+        pipelines: By environment, then by name.
         registry: Of the plugins.
         decisions: Of a run.
     """
-    learners = {place: (name, found[name]) for place, found in places.items() if (name := find_learner(found))}
+    learners = {env: (name, found[name]) for env, found in pipelines.items() if (name := find_learner(found))}
     if not (request.controls and request.search_runs and learners and request.goal):
         return None
     first = max(SEEDS_FROM, request.first_seed + request.runs)
     seeds = tuple(range(first, first + request.search_runs))
-    environments = tuple(_make_environment(place, *found, request.goal, registry) for place, found in learners.items())
+    environments = tuple(_make_environment(env, *found, request.goal, registry) for env, found in learners.items())
     return Search(request.goal, request.harm_budget, Plan(environments, seeds, decisions))
 
 
-def _make_environment(place: str, learner: str, resolved: Resolved, goal: str, registry: Registry) -> Environment:
+def _make_environment(name: str, learner: str, resolved: Resolved, goal: str, registry: Registry) -> Environment:
     counters = put_goal_first(goal, resolved.counters, resolved.counters)
     variants = []
     for control in make_candidates(resolved):
         values = complete(f"control '{control.name}' of '{learner}'", control.values, registry)
         about = f"{control.about} A control of {learner}."
         variants.append(Variant(control.name, about, True, values, counters))
-    return Environment(place, tuple(variants), TUTOR_ALONE)
+    return Environment(name, tuple(variants), TUTOR_ALONE)

@@ -1,1 +1,1 @@
-"""Every run of a plan, in parallel, each into a folder of its own, and what is on disk afterwards."""
+"""Runs a plan in parallel, each run into its own folder, and reads what is there afterwards."""

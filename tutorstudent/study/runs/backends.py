@@ -1,4 +1,4 @@
-"""Where jobs run in parallel: processes of this machine, or a cluster of dask's or ray's, all through joblib."""
+"""Where jobs run in parallel: processes of this machine or a dask or ray cluster, all through joblib."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ LOKY = Backend()
 
 
 class WorkersLost(Exception):
-    """What ran the jobs has gone, and what had not ended with it."""
+    """The workers died, and with them the jobs that had not ended."""
 
 
 def check_backend(backend: Backend) -> None:
@@ -53,7 +53,7 @@ def check_backend(backend: Backend) -> None:
 
 @contextmanager
 def start(backend: Backend, workers: int) -> Iterator[Any]:
-    """Yield a `joblib.Parallel` that hands out results as jobs end; at the end nothing of it stays behind.
+    """Yield a `joblib.Parallel` that returns results as jobs end; it is shut down at the end.
 
     Args:
         backend: Who runs the jobs.
@@ -81,7 +81,7 @@ def _start_loky(_: str, workers: int) -> Iterator[Any]:
     try:
         yield parallel
     except BrokenProcessPool as error:
-        raise WorkersLost(f"a worker process died, and what had not ended with it ({type(error).__name__}).") from error
+        raise WorkersLost(f"a worker process died, and unfinished jobs with it ({type(error).__name__}).") from error
 
 
 @contextmanager
@@ -98,7 +98,7 @@ def _start_dask(address: str, workers: int) -> Iterator[Any]:
         try:
             yield joblib.Parallel(n_jobs=-1, return_as="generator_unordered", batch_size=1)
         except distributed.KilledWorker as error:
-            raise WorkersLost(f"a worker of dask's died, and what had not ended with it ({error}).") from error
+            raise WorkersLost(f"a dask worker died, and unfinished jobs with it ({error}).") from error
 
 
 def _describe_local(workers: int) -> dict[str, Any]:
@@ -121,9 +121,7 @@ def _start_ray(address: str, workers: int) -> Iterator[Any]:
             # It cannot hand out results one by one: they come when all have ended.
             yield joblib.Parallel(n_jobs=-1 if address else workers, batch_size=1)
     except ray.exceptions.RayError as error:
-        raise WorkersLost(
-            f"a worker of ray's died, and what had not ended with it ({type(error).__name__})."
-        ) from error
+        raise WorkersLost(f"a ray worker died, and unfinished jobs with it ({type(error).__name__}).") from error
     finally:
         ray.shutdown()
 
@@ -132,7 +130,7 @@ STUDY = ("joblib", "matplotlib", "scipy")
 
 
 def check_extras(modules: tuple[str, ...] = STUDY) -> None:
-    """Refuse to begin a study that could not be finished.
+    """Refuse to begin a study that cannot be finished because a package is missing.
 
     Raises:
         PipelineError: if a module is missing, with the remedy.

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tutorstudent.core.files.durable import replace_folder
-from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.registry import Registry, find_registry
 from tutorstudent.core.files.rundir import explain_write_errors, run_pipeline, write_run
 from tutorstudent.study.plans.plan import Job
 from tutorstudent.study.plans.resolving import reread
@@ -29,11 +29,11 @@ class Finished(NamedTuple):
     problem: str
     """Why it failed, or empty."""
     note: str = ""
-    """What could not be saved although it did not fail, or empty."""
+    """What could not be saved, if the run itself was fine."""
 
 
 def run_jobs(jobs: Sequence[Job], folder: Path, workers: int = 1, backend: Backend = LOKY) -> Generator[Finished]:
-    """Run the jobs and yield each as it ends, in any order; a job that fails does not take the others along.
+    """Run the jobs and yield each as it ends, in any order; a job that fails does not stop the others.
 
     Args:
         jobs: The runs. Each is run, whatever its folder holds already; `pending` returns those that are not complete.
@@ -58,26 +58,26 @@ def run_jobs(jobs: Sequence[Job], folder: Path, workers: int = 1, backend: Backe
 
 
 def run_job(job: Job, folder: Path, registry: Registry | None = None) -> Finished:
-    """Run one job and write its results, or `ERROR`, into its folder; without a registry it looks for the plugins."""
-    place = folder / job.folder
+    """Run one job and write its results, or `ERROR`, into its folder; finds the plugins if it is given no registry."""
+    own_folder = folder / job.folder
     try:
         own = {"seed": job.seed, "decisions": job.decisions}
-        pipeline = reread(str(job.folder), job.pipeline | own, registry or Registry.discover())
+        pipeline = reread(str(job.folder), job.pipeline | own, registry or find_registry())
         watch = Stopwatch()
         with _limit_threads():
             finished = run_pipeline(pipeline)
-        with replace_folder(place) as partial:
-            note = write_run(partial, finished) or ""
+        with replace_folder(own_folder) as partial:
+            note = write_run(partial, finished, own_folder) or ""
             save_timing(partial, watch.read())
     except Exception as error:
         return _report_failure(job, folder, f"{type(error).__name__}: {error}", traceback.format_exc())
-    return Finished(job, "", note.replace(str(partial), str(place)))
+    return Finished(job, "", note)
 
 
 def _report_failure(job: Job, folder: Path, problem: str, trace: str) -> Finished:
     problem = " ".join(problem.split())
-    place = folder / job.folder
-    with explain_write_errors(place), replace_folder(place) as partial:
+    own_folder = folder / job.folder
+    with explain_write_errors(own_folder), replace_folder(own_folder) as partial:
         (partial / ERROR).write_text(f"{problem}\n\n{trace}", encoding="utf-8")
     return Finished(job, problem)
 

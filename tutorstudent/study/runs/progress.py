@@ -1,4 +1,4 @@
-"""Shows how far the jobs of a study are: how many have ended and failed, and how long the others will take."""
+"""Shows the progress of a study: how many jobs have ended or failed, and how long the rest will take."""
 
 from __future__ import annotations
 

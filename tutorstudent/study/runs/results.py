@@ -53,12 +53,12 @@ class Run(NamedTuple):
         return load_arrays(self.folder / DECISIONS)
 
     def spent(self) -> Spent:
-        """Return the seconds that it took; NaN where nobody knows."""
+        """Return the seconds that it took; NaN where that is not known."""
         return load_timing(self.folder)
 
 
 class Failure(NamedTuple):
-    """One run that is not: it failed, its files are damaged, or it was not run yet."""
+    """A run without results: it failed, its files are damaged, or it was not run yet."""
 
     environment: str
     variant: str
@@ -78,7 +78,7 @@ class Study(NamedTuple):
     search: Searched | None = None
     """The table of constant levels that were tried, where one was searched for."""
     waiting: tuple[Failure, ...] = ()
-    """Runs that were not run yet, as where a study was interrupted."""
+    """Runs that were not run yet, because the study was interrupted."""
 
     def spent(self) -> Spent:
         """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
@@ -86,7 +86,7 @@ class Study(NamedTuple):
         return Spent(sum(read_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
 
     def sittings(self) -> int:
-        """Return how often the study was begun or gone on with."""
+        """Return how often the study was begun or resumed."""
         return len(read_sittings(self.folder))
 
     def of(self, environment: str, variant: str) -> list[Run]:
@@ -95,7 +95,7 @@ class Study(NamedTuple):
 
 
 def read_study(folder: Path, plan: Plan) -> Study:
-    """Read the runs of a plan; those that failed and those that wait to be run stand apart, none is left out.
+    """Read the runs of a plan: the complete ones, those that failed, and those that were not run yet.
 
     Returns:
         The study, with the control of the level that was searched for in its plan.
@@ -121,16 +121,16 @@ def read_runs(folder: Path, jobs: Iterable[Job]) -> tuple[list[Run], list[Failur
 
 def read_run(folder: Path, job: Job) -> Run | Failure:
     """Read what one job left below a folder; a failure says why there is nothing, or what is damaged."""
-    place = folder / job.folder
-    if not (place / RECORD).exists():
-        return Failure(job.environment, job.variant, job.seed, _find_problem(place))
+    own = folder / job.folder
+    if not (own / RECORD).exists():
+        return Failure(job.environment, job.variant, job.seed, _find_problem(own))
     try:
-        summary, measures = _record(place)
-        _check_decisions(place / DECISIONS)
+        summary, measures = _read_record(own)
+        _check_decisions(own / DECISIONS)
     except DAMAGES as error:
         problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
         return Failure(job.environment, job.variant, job.seed, problem)
-    return Run(job.environment, job.variant, job.seed, summary, place, measures)
+    return Run(job.environment, job.variant, job.seed, summary, own, measures)
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
@@ -149,8 +149,8 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _record(place: Path) -> tuple[dict[str, float], tuple[Measure, ...]]:
-    data = json.loads((place / RECORD).read_text(encoding="utf-8"))
+def _read_record(folder: Path) -> tuple[dict[str, float], tuple[Measure, ...]]:
+    data = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
     amplified = {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
     return summary | amplified, tuple(Measure(**item) for item in data.get("measures", ()))
@@ -163,8 +163,8 @@ def _check_decisions(path: Path) -> None:
         raise ValueError(f"{path.name}: {broken} is not what was written")
 
 
-def _find_problem(place: Path) -> str:
-    error = place / ERROR
+def _find_problem(folder: Path) -> str:
+    error = folder / ERROR
     if not error.exists():
         return ""
     return error.read_text(encoding="utf-8").partition("\n")[0] or f"{error} is empty; {AGAIN}"
@@ -175,7 +175,7 @@ def _find_search_failures(folder: Path, plan: Plan, searched: Searched | None) -
     if plan.search is None or (searched and searched.complete()):
         return []
     _, failures = read_runs(folder / SEARCH, plan.search.plan.jobs())
-    lacking = [place.name for place in plan.environments if searched is None or searched.chosen(place.name) is None]
+    lacking = [item.name for item in plan.environments if searched is None or searched.chosen(item.name) is None]
     return [
         *(failure._replace(variant=f"search: {failure.variant}") for failure in failures),
         *(Failure(environment, BEST, seed, "") for environment in lacking for seed in plan.seeds),

@@ -46,7 +46,7 @@ def find_levels(search: Search, folder: Path) -> Searched:
 
 
 def keep_levels(plan: Plan, searched: Searched, folder: Path) -> None:
-    """Write the table down, and remove the runs of a level that an earlier one, with fewer runs, had chosen."""
+    """Write the table, and remove the runs of a level that an earlier table, with fewer runs, had chosen."""
     earlier = load_searched(folder)
     for environment in plan.environments:
         before = earlier and earlier.chosen(environment.name)

@@ -1,7 +1,7 @@
 """What a study cost: seconds of every run, and of every sitting. No result depends on it.
 
 A run's ``timing.json`` stands in its folder; ``sittings.json`` stands in the study's, with an entry for each time that
-the study was begun or gone on with.
+the study was begun or resumed.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def save_timing(folder: Path, spent: Spent) -> None:
 
 
 def load_timing(folder: Path) -> Spent:
-    """Read what a run took; NaN where nobody knows."""
+    """Read what a run took; NaN where that is not known."""
     try:
         data = json.loads((folder / TIMING).read_text(encoding="utf-8"))
         return Spent(float(data["wall_s"]), float(data["cpu_s"]))

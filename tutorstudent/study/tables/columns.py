@@ -67,14 +67,14 @@ def make_rate_columns(measures: Iterable[Measure]) -> Iterable[Column]:
 
 def make_digest_columns(measures: Iterable[Measure]) -> list[Column]:
     """Return the columns that a narrow terminal shows: what is no detail, in short cells."""
-    shown = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
+    brief = sorted((item for item in measures if not item.detail), key=lambda item: list(TITLES).index(item.better))
     short: dict[Cell, Cell] = {
         mean_sd_median_iqm: mean_sd,
         mean_sd_median_worst: mean_sd,
         mean_sd_median: mean,
         highest: highest,
     }
-    return [made._replace(cell=short[made.cell]) for made in map(make_column, shown)]
+    return [made._replace(cell=short[made.cell]) for made in map(make_column, brief)]
 
 
 def explain(columns: Iterable[Column]) -> str:

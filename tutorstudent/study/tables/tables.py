@@ -16,7 +16,7 @@ from tutorstudent.study.tables.table import Row, Table
 
 CONTROLS = (
     "A control learns nothing or is told nothing. Amplifying alone may achieve more, whether or not anything was "
-    "learned, so a variant has shown what learning is worth only where it beats its controls, not the tutor alone."
+    "learned, so a variant has quantities what learning is worth only where it beats its controls, not the tutor alone."
 )
 INTERVALS = (
     "Cells are mean ± standard deviation over runs (median; IQM: mean of the middle half). Differences are taken run "
@@ -47,13 +47,13 @@ def make_digest_table(study: Study, environment: Environment) -> Table:
 
 def make_runs_table(study: Study, environment: Environment) -> Table:
     """Return every run, a row each."""
-    shown = [column.quantity for columns in _make_columns(study, environment).values() for column in columns]
+    quantities = [column.quantity for columns in _make_columns(study, environment).values() for column in columns]
     rows = [
-        Row(variant.name, variant.control, (str(run.seed), *(_make_number(run, quantity) for quantity in shown)))
+        Row(variant.name, variant.control, (str(run.seed), *(_make_number(run, quantity) for quantity in quantities)))
         for variant in environment.variants
         for run in study.of(environment.name, variant.name)
     ]
-    return Table("Every run", ("seed", *(quantity.title for quantity in shown)), tuple(rows))
+    return Table("Every run", ("seed", *(quantity.title for quantity in quantities)), tuple(rows))
 
 
 def _make_columns(study: Study, environment: Environment) -> dict[str, list[Column]]:
@@ -83,11 +83,11 @@ def _make_row(study: Study, environment: Environment, variant: Variant, columns:
 
 
 def _count_runs(study: Study, environment: Environment, variant: str) -> str:
-    place = (environment.name, variant)
+    key = (environment.name, variant)
     told = {"failed": study.failures, "not run yet": study.waiting}
-    counts = {word: sum(item[:2] == place for item in found) for word, found in told.items()}
+    counts = {word: sum(item[:2] == key for item in found) for word, found in told.items()}
     lacking = ", ".join(f"{number} {word}" for word, number in counts.items() if number)
-    return f"{len(study.of(*place))}" + (f" ({lacking})" if lacking else "")
+    return f"{len(study.of(*key))}" + (f" ({lacking})" if lacking else "")
 
 
 def _make_cell(runs: Sequence[Run], column: Column) -> str:

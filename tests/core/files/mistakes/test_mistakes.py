@@ -70,7 +70,7 @@ def test_a_mistake_is_told_with_place_key_and_remedy(mistake: Mistake) -> None:
         ("conditions=crashed", "conditions", ("write a list",)),
         ("conditions=[crashed, crashd]", "conditions.1", ("no condition named",)),
         ("on_tutor_failure.kind=stop", "on_tutor_failure.kind", ("'push' or 'rest'",)),
-        ("extends=other.yaml", "extends", ("only a file can extend another",)),
+        ("extends=other.yaml", "extends", ("works only in a file",)),
         ("learned=absent.npz", "learned", ("absent.npz",)),
     ],
 )
