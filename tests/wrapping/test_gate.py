@@ -243,3 +243,91 @@ def test_a_model_whose_validator_is_not_idempotent_keeps_what_is_not_declared() 
     own = Degrees(speed=0.4, heading=90.0)
     received, _ = commands(lambda _: own, SPEED)
     assert all(own.heading == command.heading for command in received)
+
+
+class Track(list[float]):
+    """A list of its own class."""
+
+
+class Duo(tuple[float, ...]):
+    """A tuple of its own class, without names."""
+
+
+@pytest.mark.parametrize("own", [Track([0.4, 0.2]), Duo((0.4, 0.2))], ids=repr)
+def test_subclasses_of_list_and_tuple_keep_their_class(own: Any) -> None:
+    received, loop = commands(lambda _: own, ts.vector(-1, 1, 2))
+    assert all(type(found) is type(own) and found[0] > 0.4 for found in received)
+    assert {} == loop.engine.incident_counts
+
+
+class Private:
+    """A number that is a property over a private attribute, as messages of ROS 2 are."""
+
+    def __init__(self, x: float) -> None:
+        self._x = x
+        self._frame = "base"
+
+    @property
+    def x(self) -> float:
+        return self._x
+
+    @x.setter
+    def x(self, value: float) -> None:
+        self._x = value
+
+
+def test_a_property_over_a_private_attribute_is_amplified() -> None:
+    received, loop = commands(lambda _: Private(0.4), ts.scalar(-1, 1, name="x"))
+    assert [pytest.approx(0.52)] * 4 == [found.x for found in received]
+    assert {} == loop.engine.incident_counts
+
+
+@pytest.mark.parametrize("raises", [False, True])
+def test_a_write_that_spoils_the_controllers_own_is_undone_whatever_it_returns(raises: bool) -> None:
+    own = SimpleNamespace(speed=0.4, gears=[1, 2], inner=SimpleNamespace(mode="eco"))
+
+    def write(command: Any, speed: float) -> Any:
+        if speed != 0.4:
+            command.speed, command.inner.mode = 9999.0, "sport"
+            command.gears.append(3)
+            command.extra = 1
+            if raises:
+                raise ValueError("too late")
+        return SimpleNamespace(speed=speed)
+
+    received, loop = commands(lambda _: own, ts.scalar(-1, 1, read=lambda c: c.speed, write=write))
+    assert all(found is own for found in received)
+    assert SimpleNamespace(speed=0.4, gears=[1, 2], inner=SimpleNamespace(mode="eco")) == own
+    assert 4 == sum(loop.engine.incident_counts.values())
+
+
+class Hearing:
+    """A controller that hears, and whose commands can be written once only."""
+
+    def __init__(self) -> None:
+        self.heard: list[Any] = []
+
+    def __call__(self, state: Any) -> float:
+        return 0.4
+
+    def executed(self, command: Any) -> None:
+        self.heard.append(command)
+
+
+def test_a_controller_hears_the_very_command_that_left() -> None:
+    written: list[Any] = []
+
+    class Number(float):
+        pass
+
+    def write(_: Any, value: float) -> Any:
+        written.append(Number(value))
+        return written[-1]
+
+    controller = Hearing()
+    loop = ts.wrap(controller, action=ts.scalar(-1, 1, read=float, write=write), slew=None, **ALWAYS)
+    received = [loop.step(0.0) for _ in range(3)]
+    assert [id(command) for command in received[:2]] == [id(command) for command in controller.heard]
+    loop.executed(0.45)
+    loop.step(0.0)
+    assert 0.45 == controller.heard[-1]

@@ -6,10 +6,13 @@ from collections.abc import Callable
 from typing import Any
 
 from tutorstudent.core.deciding.gate import check_written
+from tutorstudent.core.deciding.guard import Breach
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.backup import Backup
 from tutorstudent.core.words.commands import Command
 from tutorstudent.core.words.errors import ContractError, quote
+from tutorstudent.core.words.snapshots import PLAIN
 
 
 class FunctionTutor(Tutor[Any, Any]):
@@ -29,6 +32,8 @@ class FunctionTutor(Tutor[Any, Any]):
         """The last command of the callable that could be read, in the owner's own type."""
         self.said: Action | None = None
         """The same as an action; None where the callable's last command could not be read."""
+        self.left: tuple[Action | None, Any] = None, None
+        """What left for the owner last, as an action and in the owner's own type."""
         self._writable = False
 
     @property
@@ -57,24 +62,28 @@ class FunctionTutor(Tutor[Any, Any]):
             return command
         raise ContractError(f"the controller returned {type(command).__name__}; expected {self.action.__name__}.")
 
-    def written(self, action: Action) -> Any:
-        """Return an action in the type that the callable returns; its own object where that is what it said."""
-        if action is self.said:
-            return self.command
-        if not isinstance(action, Command) or type(self.command) is self.action:
-            return action
-        return action.write(self.command)
+    def write(self, action: Action) -> tuple[Any, Action | None]:
+        """Return an action in the type that the callable returns, and what it really says if that is another action.
 
-    def read_back(self, action: Action, command: Any) -> Action | None:
-        """Return what a command that was written for an action really says; None where it is what was meant.
+        Where it is what the callable said, that is its own object. The callable's own command stays as it is, whatever
+        writing another one does to it.
 
         Raises:
-            Breach: if the owner must not get it: it says more or less than was decided, or the controller's own
-                command was changed.
+            Breach: if the owner must not get what was written.
         """
-        if command is action or not isinstance(self.said, Command):
-            return None
-        return check_written(self.said, action, command, self.command)
+        if action is self.said:
+            return self.command, None
+        if not isinstance(action, Command) or type(self.command) is self.action:
+            return action, None
+        backup = None if type(self.command) in PLAIN else Backup(self.command)
+        try:
+            command = action.write(self.command)
+            executed = check_written(self.said, action, command, self.command) if self.said else None
+        finally:
+            was_changed = backup is not None and backup.restore()
+        if was_changed:
+            raise Breach("mutated", "writing the amplified command changed the controller's own.")
+        return command, executed
 
     def _try_to_write(self, said: Action, command: Any) -> None:
         # A command that cannot be written is told at once, not when it is amplified for the first time.
@@ -93,8 +102,10 @@ class HearingTutor(FunctionTutor):
     """A callable object with a method ``executed(command)``, which hears what was executed in its own type."""
 
     def executed(self, action: Any) -> None:
-        own = self.command if action == self.said else self.written(action)
-        self._function.executed(own)  # type: ignore[attr-defined]
+        said, command = self.left
+        if action != said:  # whoever turns the engine without a `Loop`
+            command = self.command if action == self.said else self.write(action)[0]
+        self._function.executed(command)  # type: ignore[attr-defined]
 
 
 def as_tutor(controller: Any, action: type[Action] | None) -> Tutor[Any, Any]:

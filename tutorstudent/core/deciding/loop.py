@@ -9,7 +9,7 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.function_tutor import FunctionTutor
 from tutorstudent.core.deciding.guard import is_owners
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.snapshots import Snapshot
+from tutorstudent.core.words.snapshots import PLAIN, Snapshot
 
 
 class Loop:
@@ -32,30 +32,28 @@ class Loop:
         command is the controller's own object; also where no other could be made or passed the last gate, which is an
         incident.
         """
-        snapshot = Snapshot()
-        try:
-            action = self.engine.step(state, snapshot.take(state, "state"))
-        finally:
-            snapshot.is_over = True
+        if type(state) in PLAIN:
+            action = self.engine.step(state)
+        else:
+            with Snapshot() as snapshot:
+                action = self.engine.step(state, snapshot.take(state, "state"))
         command = action if self._tutor is None else self._write(self._tutor, action)
         if len(self._counts) > len(self._told):
             self._tell()
         return command
 
     def _write(self, tutor: FunctionTutor, action: Action) -> Any:
-        if action is tutor.said:
-            return tutor.command
         try:
-            command = tutor.written(action)
-            executed = tutor.read_back(action, command)
+            command, executed = tutor.write(action)
             if executed is not None:
                 self.engine.executed(executed)
-            return command
+            tutor.left = executed or action, command
         except BaseException as error:
             if tutor.said is None or is_owners(error):  # the controller failed: its last command is an old one
                 raise
+            tutor.left = tutor.said, tutor.command
             self.engine.refused(error)
-            return tutor.command
+        return tutor.left[1]
 
     def _tell(self) -> None:
         for decision, part, kind, message in self.engine.incidents:
@@ -74,7 +72,12 @@ class Loop:
 
     def executed(self, command: Any) -> None:
         """Say what was really executed instead of the last command."""
-        self.engine.executed(self._tutor.read(command) if self._tutor else command)
+        if self._tutor is None:
+            self.engine.executed(command)
+            return
+        action = self._tutor.read(command)
+        self.engine.executed(action)
+        self._tutor.left = action, command
 
     def void(self, reason: str) -> None:
         """Say that the last command must teach nothing (an emergency stop, teleoperation)."""

@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from tutorstudent.core.deciding.guard import Breach
 from tutorstudent.core.words.actions import ActionT, Group, rebuild
+from tutorstudent.core.words.sameness import is_same
 from tutorstudent.core.words.turn import Fractions
 
 
@@ -71,4 +73,17 @@ def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -
     for group, fraction in zip(groups, fractions, strict=True):
         if fraction > 0:
             changed.update(zip(group.names, move(group, values, fraction), strict=True))
-    return rebuild(original, changed) if changed else original
+    return _make(original, changed) if changed else original
+
+
+def _make(original: ActionT, changed: dict[str, float]) -> ActionT:
+    made = rebuild(original, changed)
+    own, new = original.__dict__, made.__dict__
+    for name in original.vocabulary.fields:
+        if own[name] is not new[name] and name not in changed and not is_same(own[name], new[name]):
+            raise Breach(
+                "mutated",
+                f"making the amplified {type(original).__name__} changed '{name}', which is not amplified; the class "
+                "must leave values alone that are sound.",
+            )
+    return made

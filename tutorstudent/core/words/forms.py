@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import copy
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
@@ -34,19 +35,6 @@ class Form(abc.ABC):
         """Return the numbers as the type of `like` holds them, rounded towards its own where it holds them not."""
         return numbers
 
-    def restore(self, command: Any, numbers: Numbers) -> None:
-        """Give a command its own numbers back, after writing another one changed it.
-
-        Raises:
-            ContractError: if it does not take them.
-        """
-        self.write(numbers, command)
-        if self.read(command) != numbers:
-            raise ContractError(
-                "writing an amplified command changed the controller's own, and it cannot be changed back. Let write= "
-                "make a new command."
-            )
-
     def compare_rest(self, command: Any, written: Any) -> str | None:
         """Return the name of something beside the numbers in which two commands differ, or None."""
         return None
@@ -72,6 +60,8 @@ class PlainForm(Form):
         return [read_float(item, "it", command) for item in items]
 
     def fit(self, numbers: Numbers, like: Any) -> Numbers:
+        if type(like) is float:
+            return numbers
         items = like.ravel() if isinstance(like, np.ndarray) else _list_items(like)
         return [fit_number(item, number) for item, number in zip(items, numbers, strict=True)]
 
@@ -85,8 +75,12 @@ class PlainForm(Form):
             return match_type(like, numbers[0])
         items = [match_type(item, number) for item, number in zip(like, numbers, strict=True)]
         if isinstance(like, tuple):
-            return like._make(items) if hasattr(like, "_make") else tuple(items)
-        return items
+            return like._make(items) if hasattr(like, "_make") else type(like)(items)
+        if type(like) is list:
+            return items
+        copied = copy.copy(like)
+        copied[:] = items
+        return copied
 
 
 class OwnForm(Form):

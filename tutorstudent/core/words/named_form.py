@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-import struct
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from pydantic import BaseModel
 
+from tutorstudent.core.words.backup import read_members
 from tutorstudent.core.words.errors import ContractError, list_names, quote, suggest
 from tutorstudent.core.words.forms import Form, Numbers, fit_number, is_number, match_type, read_float
+from tutorstudent.core.words.sameness import is_same
 
 Path = tuple[str, ...]
 
@@ -37,16 +37,6 @@ class NamedForm(Form):
     def fit(self, numbers: Numbers, like: Any) -> Numbers:
         own = [_reach(like, path) for path in self._paths]
         return [fit_number(item, number) for item, number in zip(own, numbers, strict=True)]
-
-    def restore(self, command: Any, numbers: Numbers) -> None:
-        for path, number in zip(self._paths, numbers, strict=True):
-            *way, last = path
-            _set(_reach(command, tuple(way)), last, match_type(_reach(command, path), number))
-        if self.read(command) != numbers:
-            raise ContractError(
-                f"{type(command).__name__}: copying the command changed the command itself, and it cannot be changed "
-                "back. Give read= and write= instead of names."
-            )
 
     def compare_rest(self, command: Any, written: Any) -> str | None:
         return _find_difference(command, written, self._paths)
@@ -104,12 +94,12 @@ def _find_difference(own: Any, written: Any, paths: Sequence[Path]) -> str | Non
     """Return the first member in which two objects differ beside what the paths lead to."""
     if type(own) is not type(written):
         return f"the type to {type(written).__name__}"
-    mine, other = _members(own), _members(written)
+    mine, other = _read_members(own), _read_members(written)
     if mine.keys() != other.keys():
         return "what it holds"
     for name, value in mine.items():
-        below = [path[1:] for path in paths if path[0] == name]
-        if () in below:
+        below = [path[1:] for path in paths if path[0] == name or (path[0] not in mine and name == f"_{path[0]}")]
+        if () in below:  # the number itself, or where a property keeps it
             continue
         found = _find_difference(value, other[name], below) if below else None
         if found is not None or (not below and not is_same(value, other[name])):
@@ -117,27 +107,10 @@ def _find_difference(own: Any, written: Any, paths: Sequence[Path]) -> str | Non
     return None
 
 
-def _members(owner: Any) -> dict[Any, Any]:
-    if isinstance(owner, Mapping):
-        return dict(owner)
+def _read_members(owner: Any) -> dict[Any, Any]:
     if hasattr(owner, "_asdict"):
         return dict(owner._asdict())
-    slots = [name for base in type(owner).__mro__ for name in getattr(base, "__slots__", ()) if hasattr(owner, name)]
-    names = [name for name in slots if name not in ("__dict__", "__weakref__")]
-    return {name: getattr(owner, name) for name in names} | dict(getattr(owner, "__dict__", {}))
-
-
-def is_same(own: Any, other: Any) -> bool:
-    """Return whether two values are the same, bit for bit."""
-    if own is other:
-        return True
-    if type(own) is not type(other):
-        return False
-    if isinstance(own, float):
-        return struct.pack("d", own) == struct.pack("d", other)
-    if isinstance(own, np.ndarray):
-        return bool(own.dtype == other.dtype and own.shape == other.shape and own.tobytes() == other.tobytes())
-    return bool(own == other)
+    return dict(owner) if isinstance(owner, Mapping) else read_members(owner)
 
 
 def _replace_numbers(owner: Any, numbers: Mapping[Path, float]) -> Any:

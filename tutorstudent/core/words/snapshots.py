@@ -23,7 +23,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from pydantic import BaseModel
 
-_PLAIN: frozenset[type[Any]] = frozenset((str, bytes, bool, int, float, complex, type(None), Decimal, Fraction, range))
+PLAIN: frozenset[type[Any]] = frozenset((str, bytes, bool, int, float, complex, type(None), Decimal, Fraction, range))
+"""Nobody can change them."""
 _UNCHANGING: tuple[type[Any], ...] = (
     *(str, bytes, int, float, complex, Decimal, Fraction, np.generic, Enum, PurePath),
     *(type, ModuleType, FunctionType, BuiltinFunctionType, date, time, timedelta),
@@ -45,7 +46,7 @@ def take_snapshot(state: _T) -> _T:
 
 
 class Snapshot:
-    """One look at a state. `end` makes it final: what nobody has read by then was not kept."""
+    """One look at a state. Once its block is left it is final: what nobody has read by then was not kept."""
 
     def __init__(self) -> None:
         self._taken: dict[int, Any] = {}
@@ -53,10 +54,16 @@ class Snapshot:
         """What the keys of `_taken` belong to: an object that is gone may leave its number to another."""
         self.is_over = False
 
+    def __enter__(self) -> Snapshot:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.is_over = True
+
     def take(self, value: Any, name: str) -> Any:
         """Return a copy of a value; `name` says in messages where it stands."""
         kind = type(value)
-        if kind in _PLAIN or isinstance(value, _UNCHANGING):
+        if kind in PLAIN or isinstance(value, _UNCHANGING):
             return value
         if id(value) in self._taken:  # shared, or a circle
             return self._taken[id(value)]
