@@ -33,7 +33,6 @@ CONTRACT = {
     "executed": "Tutor.executed, Engine.executed and Loop.executed: hear what was executed",
     "refused": "Engine.refused: hear that the action was refused",
     "judged": "Component.judged: hear what became of a decision",
-    "written": "FunctionTutor.written, public",
     "built": "Pipeline.built, public",
     "replaced": "Pipeline.replaced, public",
     "chosen": "study.Searched.chosen, public",

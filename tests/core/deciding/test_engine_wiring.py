@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from enum import Enum
+from typing import Annotated, Any, Literal
 
 import pytest
+from pydantic import BaseModel, create_model, field_validator
 
 from tests.core.oracle.scripted import KindStudent, Says, ScriptedTutor, engine, forward, level
 from tests.core.oracle.shapes import Valve
-from tutorstudent.core.words.actions import Action, component
+from tutorstudent.core.deciding.wiring import can_be_held
+from tutorstudent.core.words.actions import Action, component, read_vocabulary
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.changes import Additive
@@ -87,3 +90,55 @@ def test_parts_are_told_their_slots() -> None:
     assert expected == [part.slot for _, part in wrapped.slots()]
     assert wrapped.amplifier.change.slot == "amplifier.change"
     assert {DriveAction} == {part.action_class for _, part in wrapped.slots()}
+
+
+class Inner(BaseModel):
+    """A nested model."""
+
+    x: float = 0.0
+
+
+class Mood(Enum):
+    CALM = 1
+
+
+@pytest.mark.parametrize(
+    "annotation", [list[float], dict[str, float], Inner, Any, tuple[list[int], ...], set[int] | None]
+)
+def test_a_component_that_parts_could_change_is_refused_by_name(annotation: Any) -> None:
+    made = create_model("Loose", __base__=DriveAction, extra_thing=(annotation, None))
+    made.vocabulary = read_vocabulary(made)
+    tutor = ScriptedTutor(act=lambda state: made(kind="stop"))
+    tutor.action = made
+    message = "action class Loose: the component 'extra_thing' is a .* Use numbers, texts, enums, literals, or tuples"
+    with pytest.raises(ContractError, match=message):
+        engine(lambda state: made(kind="stop"), level(0), tutor=tutor)
+
+
+@pytest.mark.parametrize(
+    "annotation", [int, str | None, Literal["a", 1], Mood, tuple[float, ...], Annotated[bool, "x"]]
+)
+def test_a_component_that_nobody_can_change_is_taken(annotation: Any) -> None:
+    assert can_be_held(annotation)
+
+
+class Heading(DriveAction):
+    """A validator that is not idempotent: degrees to radians."""
+
+    heading: float = 0.0
+
+    @field_validator("heading")
+    @classmethod
+    def _to_radians(cls, value: float) -> float:
+        return value / 57.3
+
+
+def test_an_action_class_that_changes_an_undeclared_component_when_it_is_made_again_is_never_amplified() -> None:
+    own = Heading(kind="forward", translation=0.2, heading=90.0)
+    tutor = ScriptedTutor(act=lambda state: own)
+    tutor.action = Heading
+    wrapped = engine(lambda state: own, level(3), tutor=tutor)
+    for state in range(3):
+        assert wrapped.step(state) is own
+    assert {("action", "mutated"): 3} == wrapped.incident_counts
+    assert "changed 'heading', which is not amplified" in wrapped.incidents[0].message

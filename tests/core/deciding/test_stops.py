@@ -195,3 +195,28 @@ def test_an_exception_that_cannot_be_looked_at_is_an_incident() -> None:
     assert 0.1 == wrapped.step(0).translation
     assert {("student", "raised"): 1} == wrapped.incident_counts
     assert "an exception that cannot even be named" == wrapped.incidents[0].message
+
+
+def lower_the_recursion_limit(more: int) -> None:
+    depth, frame = 0, sys._getframe(1)
+    while frame is not None:
+        depth, frame = depth + 1, frame.f_back
+    sys.setrecursionlimit(depth + more)
+
+
+@pytest.mark.parametrize("method", ["propose", "teach", "judged"])
+@pytest.mark.parametrize("more", range(2, 12))
+def test_a_part_that_lowers_the_recursion_limit_is_an_incident_and_the_limit_comes_back(method: str, more: int) -> None:
+    def call(self: Any, *arguments: Any) -> Any:
+        answer = getattr(STUDENT, method)(self, *arguments)
+        lower_the_recursion_limit(more)
+        return answer
+
+    spoiler = type("Spoiler", (STUDENT,), {method: call})
+    wrapped = engine(forward(0.1), spoiler(propose=level(2).options.propose), conditions=[Says(violated=bool)])
+    before = sys.getrecursionlimit()
+    for state in range(3):
+        wrapped.step(state)
+        assert before == sys.getrecursionlimit()
+    assert {"student"} == {part for part, _ in wrapped.incident_counts}
+    assert (3 if method == "propose" else 2) == sum(wrapped.incident_counts.values())

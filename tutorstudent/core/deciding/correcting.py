@@ -12,7 +12,7 @@ from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import measure_deviation, move
 from tutorstudent.core.words.actions import Action, ActionT, Group, rebuild
 from tutorstudent.core.words.records import StateT
-from tutorstudent.core.words.turn import Turn
+from tutorstudent.core.words.turn import Fractions, Turn
 
 UNKNOWN = "the executed level could not be told"
 
@@ -30,6 +30,14 @@ class Corrector(Generic[StateT, ActionT]):
         with self._in_amplifier:
             reached = find_level(turn, executed, ladder)
             level, turn._untold = reached or 0, "" if reached is not None else "something else was executed"
+        self._write(turn, executed, level, ladder.fractions(level))
+
+    def take_back(self, turn: Turn[StateT, ActionT]) -> None:
+        """Take in that the tutor's own action was executed after all."""
+        turn._untold = ""
+        self._write(turn, turn._original, 0, ())
+
+    def _write(self, turn: Turn[StateT, ActionT], executed: ActionT, level: int, fractions: Fractions) -> None:
         asked, record = turn._asked, rebuild(executed)
         turn._decision = asked._replace(
             selected=asked.selected._replace(level=min(level, asked.selected.level)),
@@ -37,7 +45,7 @@ class Corrector(Generic[StateT, ActionT]):
             executed=record,
         )
         turn._action, turn._seals = executed, (turn._seals[0], seal(record))
-        self._limiter.remember(turn._original.kind, level, ladder.fractions(level))
+        self._limiter.remember(turn._original.kind, level, fractions)
 
 
 def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | None:

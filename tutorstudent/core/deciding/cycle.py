@@ -119,6 +119,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         for part, blame in self._listeners:
             with blame:
                 part.judged(turn)
+                self._guard.check_recursion()
                 check_records(turn)
             if blame.failed:
                 renew_records(turn)

@@ -22,7 +22,13 @@ from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.deciding.teaching import Teacher
 from tutorstudent.core.deciding.tutoring import TutorSeat
-from tutorstudent.core.deciding.wiring import check_conditions, check_failure_action, check_vocabulary, check_wiring
+from tutorstudent.core.deciding.wiring import (
+    check_conditions,
+    check_failure_action,
+    check_held,
+    check_vocabulary,
+    check_wiring,
+)
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
@@ -71,6 +77,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         self.amplifier, self.evaluator, self.conditions = amplifier, evaluator, tuple(conditions)
         self.limits, self.on_tutor_failure = limits or Limits(), on_tutor_failure
         check_vocabulary(tutor)
+        check_held(tutor.action)
         check_failure_action(tutor, on_tutor_failure)
         self._guard = Guard(on_incident)
         check_conditions(self.conditions)
@@ -175,7 +182,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """
         with self._turnstile:
             turn = self._get_pending("refused()")
-            self._corrector.correct(turn, turn._original)
+            self._corrector.take_back(turn)
             self._guard.record("action", error)
 
     def void(self, reason: str) -> None:

@@ -39,6 +39,7 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
             for step in self._steps:
                 part, take = step
                 take(turn)
+                self._guard.check_recursion()
                 check_seal(turn._moment.tutor_action, turn._seals[0])
         except BaseException as error:
             self._guard.record(part, error)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from contextlib import ExitStack
 from inspect import CO_VARARGS
 from itertools import pairwise
+from sys import getrecursionlimit, setrecursionlimit
 from types import FrameType, TracebackType
 from typing import Any, Literal
 
@@ -37,10 +38,13 @@ class Guard:
         self.log: deque[Incident] = deque(maxlen=REMEMBERED)
         self._decision = 0
         self._incidents: list[Incident] = []
+        self.recursion_limit = getrecursionlimit()
+        """Python's, as it was when the decision began."""
 
     def attend(self, decision: int) -> list[Incident]:
         """Return the list that everything goes into which goes wrong from now on, until the next call."""
         self._decision, self._incidents = decision, []
+        self.recursion_limit = getrecursionlimit()
         return self._incidents
 
     def blame(self, part: str) -> Blame:
@@ -53,6 +57,8 @@ class Guard:
         Raises:
             ContractError: where incidents are to be raised.
         """
+        if getrecursionlimit() != self.recursion_limit:  # first of all: the next call may be one too many
+            setrecursionlimit(self.recursion_limit)
         if is_owners(error):
             raise error
         kind, message = _say(error)
@@ -62,6 +68,12 @@ class Guard:
         self._incidents.append(incident)
         if self.on_incident == "raise":
             raise ContractError(f"decision {self._decision}: {part}: {kind}: {message}") from error
+
+    def check_recursion(self) -> None:
+        """Put Python's recursion limit back and raise a `Breach`, where a part changed it."""
+        if getrecursionlimit() != self.recursion_limit:
+            setrecursionlimit(self.recursion_limit)
+            raise Breach("mutated", "Python's recursion limit was changed; it is the owner's.")
 
     def call(self, part: str, function: Callable[[], Any]) -> None:
         """Call something that belongs to a part; what it raises is an incident."""
@@ -94,7 +106,12 @@ class Blame:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> bool:
-        if error is None or is_owners(error):
+        if error is None:
+            if getrecursionlimit() == self._guard.recursion_limit:
+                return False
+            setrecursionlimit(self._guard.recursion_limit)
+            error = Breach("mutated", "Python's recursion limit was changed; it is the owner's.")
+        elif is_owners(error):
             return False
         self.failed = True
         self._guard.record(self._part, error)

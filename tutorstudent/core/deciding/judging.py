@@ -34,6 +34,7 @@ class Judge(Generic[StateT]):
         for condition, name, declares in self._conditions:
             try:
                 answer = _ask(condition, state)
+                self._guard.check_recursion()
                 if declares and (found := condition.margins(state)) is not None:
                     margins[name] = _check_margins(found)
             except BaseException as error:

@@ -29,6 +29,7 @@ class Teacher(Generic[StateT, ActionT]):
                 return
             part = "student"
             self._student.teach(lesson)
+            self._guard.check_recursion()
             check_records(turn)
             turn._lesson = lesson
         except BaseException as error:
@@ -37,6 +38,7 @@ class Teacher(Generic[StateT, ActionT]):
     def _ask(self, turn: Turn[StateT, ActionT], outcome: Outcome[StateT]) -> Lesson[StateT, ActionT] | None:
         decision = turn._decision
         lesson = self._evaluator.evaluate(decision, outcome)
+        self._guard.check_recursion()
         check_records(turn)
         if lesson is None:
             return None

@@ -4,13 +4,20 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
+from decimal import Decimal
+from enum import Enum
+from fractions import Fraction
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from tutorstudent.core.deciding.checking import copy_checked
 from tutorstudent.core.roles.interfaces import ActionSelector, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import ContractError, list_names
+from tutorstudent.core.words.errors import ContractError, list_names, quote
+
+HELD = (bool, int, float, str, bytes, type(None), None, Decimal, Fraction)
+"""Types whose values nobody can change."""
 
 
 def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
@@ -26,6 +33,37 @@ def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
             f"its components are {list_names(vocabulary.components)}. Name at least one in its 'amplification'.",
             slot="tutor",
         )
+
+
+def check_held(action: type[Action]) -> None:
+    """Refuse an action class with a component that parts could change from outside.
+
+    Raises:
+        ContractError: if there is one.
+    """
+    for name, field in action.model_fields.items():
+        if not can_be_held(field.annotation):
+            raise ContractError(
+                f"action class {action.__name__}: the component '{name}' is a {quote(field.annotation)}, which can be "
+                "changed after it was checked. Use numbers, texts, enums, literals, or tuples of these.",
+                slot="tutor",
+            )
+
+
+def can_be_held(annotation: Any) -> bool:
+    """Return whether nobody can change a value of this type.
+
+    >>> can_be_held(float | None), can_be_held(tuple[int, ...]), can_be_held(list[int])
+    (True, True, False)
+    """
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if origin is Literal:
+        return True
+    if origin is Annotated:
+        return can_be_held(inner[0])
+    if origin in (Union, UnionType, tuple):
+        return all(item is ... or can_be_held(item) for item in inner)
+    return annotation in HELD or (isinstance(annotation, type) and issubclass(annotation, Enum))
 
 
 def check_wiring(student: Student[Any, Any, Any], selector: ActionSelector[Any, Any]) -> None:
