@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from random import Random
 from typing import Any, NamedTuple
 
 from tests.core.oracle.acts import Behaviour
 from tests.core.oracle.behaviours import EVALUATION, EVERYTHING, PROPAGATION
+
+ACTS = PROPAGATION | EVALUATION
 
 
 class Deed(NamedTuple):
@@ -25,10 +27,16 @@ class Plot:
     Args:
         random: Source of the order.
         chosen: The (slot, behaviour) pairs that may happen; all by default.
+        acts: What each behaviour does, by slot and name.
     """
 
-    def __init__(self, random: Random, chosen: Sequence[tuple[str, str]] = EVERYTHING) -> None:
-        self._random, self._chosen = random, tuple(chosen)
+    def __init__(
+        self,
+        random: Random,
+        chosen: Sequence[tuple[str, str]] = EVERYTHING,
+        acts: Mapping[str, Mapping[str, Behaviour]] = ACTS,
+    ) -> None:
+        self._random, self._chosen, self._acts = random, tuple(chosen), acts
         self._bag: list[tuple[str, str]] = []
         self._armed: dict[str, str] = {}
         self._deeds: list[Deed] = []
@@ -47,7 +55,7 @@ class Plot:
         name = self._armed.pop(slot, None)
         if name is None:
             return honest()
-        behaviour = {**PROPAGATION, **EVALUATION}[slot][name]
+        behaviour = self._acts[slot][name]
         self.done[slot, name] += 1
         self._deeds.append(Deed(slot, name, behaviour))
         return behaviour.act(honest(), actions)

@@ -9,6 +9,8 @@ from collections.abc import Callable
 from random import Random
 from typing import ClassVar, Literal, NamedTuple
 
+from pydantic import field_validator
+
 from tutorstudent.core.words.actions import Action, AmplificationMap, component
 from tutorstudent.sims.pioneer.types import DriveAction
 
@@ -51,6 +53,20 @@ class Oven(Action):
     }
 
 
+class Notched(Action):
+    """A lever that cannot rest in its notch, as only its validator knows."""
+
+    lever: float = component(-1.0, 1.0)
+    amplification: ClassVar[AmplificationMap] = {"command": {"lever": "outward"}}
+
+    @field_validator("lever")
+    @classmethod
+    def _avoid_the_notch(cls, value: float) -> float:
+        if 0.5 < abs(value) < 0.6:
+            raise ValueError("it cannot rest there")
+        return value
+
+
 class Arm(NamedTuple):
     """What moves together: names, direction, the size of one whole unit, and where the components do nothing."""
 
@@ -71,14 +87,21 @@ class Shape(NamedTuple):
     bounds: dict[str, tuple[float, float]]
     arms: dict[str, tuple[Arm, ...]]
     constants: dict[str, object]
+    refuses: str = ""
+    """Who is blamed for nothing hostile: the action itself, where its class refuses some values within bounds."""
 
     def draw(self, random: Random, kind: str | None = None) -> Action:
         """Return something that a tutor might say: mostly ordinary, often at an edge."""
         kind = kind or random.choice(self.kinds)
         neutral = {name: at for arm in self.arms[kind] for name, at in zip(arm.names, arm.neutral, strict=True)}
         draw = _faint if random.random() < 0.05 else _value
-        values = {name: draw(random, *ends, neutral.get(name, 0.0)) for name, ends in self.bounds.items()}
-        return self.action(kind=kind, **values, **self.constants)
+        while True:
+            values = {name: draw(random, *ends, neutral.get(name, 0.0)) for name, ends in self.bounds.items()}
+            try:
+                return self.action(kind=kind, **values, **self.constants)
+            except ValueError:
+                if not self.refuses:
+                    raise
 
 
 def _faint(random: Random, low: float, high: float, neutral: float) -> float:
@@ -131,7 +154,15 @@ OVEN = Shape(
     },
     {"label": "my oven"},
 )
-SHAPES = (DRIVE, VALVE, FLIGHT, OVEN)
+NOTCHED = Shape(
+    Notched,
+    ("command",),
+    {"lever": (-1.0, 1.0)},
+    {"command": (Arm(("lever",), "outward", 1.0, (0.0,)),)},
+    {},
+    refuses="action",
+)
+SHAPES = (DRIVE, VALVE, FLIGHT, OVEN, NOTCHED)
 
 Law = Callable[[float, float], float]
 """(level x amount, the tutor's own magnitude in units of scale) -> distance in units of scale."""

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from random import Random
 from typing import Any
 
-from tests.core.oracle.behaviours import BLAMED, EVERYTHING
+from tests.core.oracle.behaviours import EVERYTHING
+from tests.core.oracle.branches import count_turn
 from tests.core.oracle.cast import State, parts
+from tests.core.oracle.hearing import answered, judged, recorded, taught
 from tests.core.oracle.judge import Breach, Claim, Last, Rules, Said, judge
-from tests.core.oracle.learner import Heard
 from tests.core.oracle.plot import Deed, Plot
 from tests.core.oracle.shapes import SHAPES
 from tutorstudent.core.deciding.engine import Engine
@@ -27,6 +28,8 @@ class Tally:
         self.deeds: Counter[tuple[str, str]] = Counter()
         self.breaches: Counter[tuple[str, str]] = Counter()
         """Breaches by name and by what was done in that decision."""
+        self.hits: Counter[str] = Counter()
+        """How often each branch of the guard was passed."""
         self.examples: dict[tuple[str, str], str] = {}
         """For each of them, what was seen first."""
 
@@ -43,10 +46,11 @@ class Tally:
 
 def draw_rules(random: Random) -> Rules:
     """Return what some owner might have written."""
+    cap = random.choice((0.1, 0.3, 0.5, 0.8, 0.8, 2.0, 500.0))
     return Rules(
         shape=random.choice(SHAPES),
-        cap=random.choice((0.1, 0.3, 0.5, 0.8, 0.8, 2.0)),
-        factor=random.choice((None, None, 1.0, 1.1, 1.3, 2.5)),
+        cap=cap,
+        factor=None if cap > 100 else random.choice((None, None, 1.0, 1.1, 1.3, 2.5)),  # where levels end at 1000
         slew=random.choice((None, None, 1, 2, 5)),
         amount=random.choice((0.1, 0.1, 0.05, 0.25, 0.037)),
         law=random.choice(("additive", "additive", "multiplicative")),
@@ -74,6 +78,8 @@ class Trial:
         self._last: Last | None = None
         self._lawful = True
         self._pending: tuple[Said, dict[str, object], int, list[Deed]] | None = None
+        self._told = ""
+        """What was said of the pending decision."""
 
     def run(self, decisions: int) -> None:
         """Take so many decisions, or stop at the first exception that the engine lets through."""
@@ -86,6 +92,7 @@ class Trial:
                 self._judge_evaluation(state)
                 self._interrupt()
                 self._judge_decision(state)
+                self._intervene()
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
@@ -101,26 +108,56 @@ class Trial:
             self.engine.reset()
             self._last = None
 
+    def _intervene(self) -> None:
+        """Now and then say what may be said of a decision before it is judged."""
+        dice, decision = self._random.random(), self.engine.pending
+        if dice < 0.01:
+            self.engine.void("an emergency stop")
+            self._told = "an emergency stop"
+        elif dice < 0.02:
+            self.engine.drop()
+            self._pending = None
+            count_turn(self._tally.hits, self.engine.last)
+        elif dice < 0.04 and self._pending is not None:
+            self._correct(decision)
+
+    def _correct(self, decision: Any) -> None:
+        """Say that the tutor's own action was executed, or one that has nothing to do with it."""
+        words, _, before, deeds = self._pending
+        shape = self.rules.shape
+        other = shape.draw(self._random, words.kind) if self._random.random() < 0.5 else words.itself
+        self.engine.executed(other)
+        now = self.engine.pending
+        if not 0 <= now.resulting.level <= decision.resulting.level:
+            found = f"level {now.resulting.level} is recorded, asked was {decision.resulting.level}"
+            self._note([Breach("executed", found)], self._plot.take())
+        self._last = Last(words.kind, now.resulting.level)
+        self._told = "executed"
+        self._pending = words, dict(other.__dict__), before, deeds
+
     def _judge_decision(self, state: State) -> None:
         tutor, counts = self.engine.tutor, sum(self.engine.incident_counts.values())
         before = len(tutor.record)
         executed = self.engine.propagate(state)
         deeds, decision = self._plot.take(), self.engine.pending
-        incidents = list(self.engine.incidents)[-1:] if sum(self.engine.incident_counts.values()) > counts else []
+        fresh = sum(self.engine.incident_counts.values()) - counts
+        incidents = list(self.engine.incidents)[-fresh:] if fresh else []
         if len(tutor.record) != before + 1:
             self._note([Breach("asked", f"the tutor was asked {len(tutor.record) - before} times")], deeds)
         words = tutor.record[-1]
         honest_distances = not any(deed.slot == "change" and deed.behaviour.verdict == "either" for deed in deeds)
+        refused = any(incident.part == "action" for incident in incidents)
         claim = Claim(
             executed,
             decision.selected.level,
             decision.resulting.level,
             decision.resulting.ampbit,
             bool(incidents),
-            honest_distances if not incidents else self._lawful and self.rules.law == "additive",
+            not refused and (honest_distances if not incidents else self._lawful and self.rules.law == "additive"),
         )
         self._note(judge(self.rules, self._last, words, claim), deeds)
-        self._note(list(_answered(deeds, [incident.part for incident in incidents])), deeds)
+        blamed = [incident.part for incident in incidents if incident.part != self.rules.shape.refuses]
+        self._note(list(answered(deeds, blamed)), deeds)
         self._lawful = claim.lawful
         self._last = Last(words.kind, claim.resulting_level)
         self._pending = words, dict(executed.__dict__), len(incidents), deeds
@@ -132,74 +169,19 @@ class Trial:
         deeds = self._plot.take()
         if turn is None or self._pending is None:
             return
+        told, self._told = self._told, ""
+        count_turn(self._tally.hits, turn)
         words, executed, before, earlier = self._pending
         incidents = turn.incidents[before:]
         heard = self.engine.student.heard[heard_before:]
         self._tally.clean += not turn.incidents
-        self._note(list(_answered(deeds, [incident.part for incident in incidents])), deeds)
-        self._note(list(_recorded(turn, words, executed)), [*earlier, *deeds])
-        self._note(list(_judged(turn, state, deeds)), deeds)
-        self._note(list(_taught(turn, heard, words, executed, deeds)), [*earlier, *deeds])
-
-
-def _answered(deeds: Sequence[Deed], blamed: Sequence[str]) -> Iterator[Breach]:
-    """What is refused is an incident of the part that did it; what is fine is none."""
-    refused = [deed for deed in deeds if deed.behaviour.verdict == "refused"]
-    if refused and not any(part in BLAMED[deed.slot] for part in blamed for deed in refused):
-        yield Breach("incident", f"went unnoticed (blamed: {', '.join(blamed) or 'nobody'})")
-    if blamed and not any(deed.behaviour.verdict in ("refused", "either") for deed in deeds):
-        yield Breach("false alarm", f"{', '.join(blamed)} blamed for nothing")
-
-
-def _recorded(turn: Any, words: Said, executed: dict[str, object]) -> Iterator[Breach]:
-    """Records show what the tutor said and what was executed, whatever the parts did to their copies."""
-    decision = turn.decision
-    own = {"kind": words.kind, **words.values, **words.constants}
-    for where, action in (
-        ("moment", decision.moment.tutor_action),
-        ("selected", decision.selected.action),
-        ("resulting", decision.resulting.action),
-    ):
-        if _plain(action.__dict__) != own:
-            yield Breach("record", f"the {where} shows {action.__dict__}, the tutor said {own}")
-    if _plain(decision.executed.__dict__) != executed:
-        yield Breach("record", f"the executed action shows {decision.executed.__dict__}, executed was {executed}")
-
-
-def _plain(values: dict[str, Any]) -> dict[str, object]:
-    """Return values that cannot lie."""
-    plain = {float: lambda v: v, str: lambda v: v}
-    return {key: plain.get(type(value), lambda v: f"a {type(v).__name__}")(value) for key, value in values.items()}
-
-
-def _judged(turn: Any, state: State, deeds: Sequence[Deed]) -> Iterator[Breach]:
-    hostile = [deed for deed in deeds if deed.slot in ("condition", "margins")]
-    violated = state.hot or any(deed.behaviour.verdict == "refused" for deed in hostile)
-    expected = ("flag",) if violated else ()
-    if turn.outcome.violated != expected:
-        yield Breach("violated", f"recorded {turn.outcome.violated}, expected {expected}")
-
-
-def _taught(
-    turn: Any, heard: Sequence[Heard], words: Said, executed: dict[str, object], deeds: Sequence[Deed]
-) -> Iterator[Breach]:
-    teaching = [deed for deed in deeds if deed.slot in ("evaluator", "learner", "encode")]
-    if any(deed.behaviour.verdict == "refused" for deed in teaching):
-        if turn.lesson is not None:
-            yield Breach("lesson", "a refused lesson is recorded as taught")
-        if heard and any(deed.slot == "evaluator" and deed.behaviour.verdict == "refused" for deed in teaching):
-            yield Breach("lesson", "a refused lesson was taught")
-        return
-    if any(deed.slot == "evaluator" for deed in teaching):
-        return
-    selected, resulting = turn.decision.selected, turn.decision.resulting
-    success = not turn.outcome.violated
-    level = resulting.level if success else selected.level if resulting.level > selected.level else 0
-    own = {"kind": words.kind, **words.values, **words.constants}
-    moment = turn.decision.moment
-    expected = [Heard(moment.number, moment.state, own, level, success, resulting.level, executed)]
-    if list(heard) != expected:
-        yield Breach("lesson", f"taught {heard}, expected {expected}")
+        self._note(list(answered(deeds, [incident.part for incident in incidents])), deeds)
+        self._note(list(recorded(turn, words, executed)), [*earlier, *deeds])
+        self._note(list(judged(turn, state, deeds)), deeds)
+        if not (told and turn.void):
+            self._note(list(taught(turn, heard, words, executed, deeds)), [*earlier, *deeds])
+        elif heard or turn.lesson is not None or turn.void == "dropped":
+            self._note([Breach("void", f"taught {heard} although {turn.void}")], [*earlier, *deeds])
 
 
 def run(

@@ -1,0 +1,1 @@
+"""An independent judge of what leaves a wrapped controller for its owner."""
