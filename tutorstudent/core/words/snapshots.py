@@ -45,7 +45,7 @@ def take_snapshot(state: _T) -> _T:
 
 
 class Snapshot:
-    """One look at a state. `end` makes it final: what nobody has read by then was not kept."""
+    """One look at a state. Once it `is_over`, it is final: what nobody has read by then was not kept."""
 
     def __init__(self) -> None:
         self._taken: dict[int, Any] = {}
