@@ -181,6 +181,8 @@ SEQUENCES: dict[type[Any], SequenceType] = {
 
 
 def _find_sequence(command: Any) -> SequenceType | None:
+    if (found := SEQUENCES.get(type(command))) is not None:
+        return found
     return next((sequence for kind, sequence in SEQUENCES.items() if isinstance(command, kind)), None)
 
 
