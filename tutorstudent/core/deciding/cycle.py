@@ -41,7 +41,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         """The newest one that is over."""
 
     def propagate(self, state: StateT, shown: StateT) -> ActionT:
-        """Return the action to execute, and remember the decision (a-e). One that was never judged is dropped.
+        """Return the action to execute, and remember the decision (a-e). An earlier one that was not judged is dropped.
 
         Args:
             state: What the tutor is asked with.

@@ -175,7 +175,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             self._corrector.correct(turn, copy_checked(action, "executed()"))
 
     def refused(self, error: BaseException) -> None:
-        """Say that the action could not be executed, and why: the tutor's own was executed instead.
+        """Say that the action could not be executed, and why: the tutor's own was executed instead, even past slew.
 
         Raises:
             ContractError: if no decision is pending, or where incidents are to be raised.

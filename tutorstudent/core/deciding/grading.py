@@ -16,7 +16,7 @@ from tutorstudent.core.words.turn import Turn
 
 
 class Grader(Generic[StateT, ActionT, ProposalT]):
-    """Asks student, selector and amplifier; where one fails, falls back to the tutor's own action."""
+    """Asks student, selector and amplifier; where one fails, falls back to the tutor's own action, through slew."""
 
     def __init__(
         self,
