@@ -45,6 +45,8 @@ WHOLES: dict[str, Behaviour] = {
 }
 """The whole command that is written; what stands at `actions[0]` knows the controller's own."""
 
+OWN_CHANGED = [name for name in WHOLES if name.endswith(("own, changed", "controller's own", "own was changed"))]
+
 
 def _fail(_: Any) -> Any:
     raise Fatal("too late")

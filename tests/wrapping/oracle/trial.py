@@ -16,7 +16,7 @@ from tests.wrapping.oracle import judge as judging
 from tests.wrapping.oracle.cast import (
     BEHAVIOURS,
     BLAMES,
-    EVERYTHING,
+    OFTEN,
     Controller,
     Hearing,
     draw,
@@ -31,7 +31,7 @@ from tests.wrapping.oracle.meddling import HAND
 from tests.wrapping.oracle.views import View
 
 MakeLoop = Callable[..., Any]
-SEATS = (Controller,)
+SEATS = (Controller, Controller, Hearing)
 WRITES = ("number", "whole")
 
 
@@ -220,7 +220,7 @@ def run(
     seed: int,
     decisions: int,
     *,
-    chosen: Sequence[tuple[str, str]] = EVERYTHING,
+    chosen: Sequence[tuple[str, str]] = OFTEN,
     make_loop: MakeLoop = ts.wrap,
     trial_length: int = 200,
     mischief: float = 0.55,
