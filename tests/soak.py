@@ -30,23 +30,29 @@ ONE_IN = 5_000
 class Half(NamedTuple):
     """What is soaked, what its parts do wrong, and which branches that has to reach."""
 
-    run: Any
+    module: Any
     everything: Sequence[tuple[str, str]]
     branches: tuple[str, ...]
 
 
 HALVES = {
-    "engine": Half(engine.run, behaviours.EVERYTHING, branches.ENGINE),
-    "wrap": Half(wrap.run, cast.EVERYTHING, branches.WRAP),
+    "engine": Half(engine, behaviours.EVERYTHING, branches.ENGINE),
+    "wrap": Half(wrap, cast.EVERYTHING, branches.WRAP),
 }
 
 
 def soak(name: str, decisions: int, seed: int, console: Console) -> Any:
-    """Run hostile trials, showing how far they are."""
+    """Run hostile trials, showing how far they are, until Ctrl-C at the latest."""
     columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    module = HALVES[name].module
+    tally = module.Tally()
     with Progress(*columns, console=console) as progress, warnings.catch_warnings(action="ignore"):
         task = progress.add_task(name, total=decisions)
-        return HALVES[name].run(seed, decisions, progress=lambda done: progress.advance(task, done))
+        try:
+            module.run(seed, decisions, progress=lambda done: progress.advance(task, done), tally=tally)
+        except KeyboardInterrupt:
+            console.print(f"{name}: stopped")
+    return tally
 
 
 def shortcomings(half: Half, tally: Any) -> list[str]:
