@@ -7,7 +7,7 @@ from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -331,3 +331,23 @@ def test_a_controller_hears_the_very_command_that_left() -> None:
     loop.executed(0.45)
     loop.step(0.0)
     assert 0.45 == controller.heard[-1]
+
+
+class Makes(NamedTuple):
+    """A named tuple, below whose own `_make` is wrong."""
+
+    left: float
+    right: float
+
+
+class MakesAnother(Makes):
+    @classmethod
+    def _make(cls, items: Any) -> Any:
+        return tuple(items)
+
+
+def test_a_tuple_that_is_made_as_another_type_is_replaced_by_the_controllers_own() -> None:
+    own = MakesAnother(0.4, 0.2)
+    received, loop = commands(lambda _: own, ts.vector(-1, 1, 2))
+    assert all(found is own for found in received)
+    assert {("action", "mutated"): 4} == loop.engine.incident_counts

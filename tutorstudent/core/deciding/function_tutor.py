@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from tutorstudent.core.deciding.gate import check_written
-from tutorstudent.core.deciding.guard import Breach
+from tutorstudent.core.deciding.guard import Breach, is_owners
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.backup import Backup
@@ -79,11 +79,13 @@ class FunctionTutor(Tutor[Any, Any]):
         try:
             command = action.write(self.command)
             executed = check_written(self.said, action, command, self.command) if self.said else None
-        finally:
-            was_changed = backup is not None and backup.restore()
-        if was_changed:
-            raise Breach("mutated", "writing the amplified command changed the controller's own.")
-        return command, executed
+        except BaseException as error:
+            if backup is None or not backup.restore() or is_owners(error):
+                raise
+        else:
+            if backup is None or not backup.restore():
+                return command, executed
+        raise Breach("mutated", "writing the amplified command changed the controller's own.")
 
     def _try_to_write(self, said: Action, command: Any) -> None:
         # A command that cannot be written is told at once, not when it is amplified for the first time.

@@ -82,6 +82,11 @@ class PlainForm(Form):
         copied[:] = items
         return copied
 
+    def compare_rest(self, command: Any, written: Any) -> str | None:
+        if isinstance(command, list | tuple | np.ndarray) and type(written) is not type(command):
+            return f"the type to {type(written).__name__}"
+        return None
+
 
 class OwnForm(Form):
     """A pair of the owner's own functions."""
