@@ -23,6 +23,7 @@ from tests.wrapping.oracle import cast
 from tests.wrapping.oracle import trial as wrap
 
 LEAST_CLEAN, LEAST_AMPLIFIED = 0.3, 0.1
+SLICE = 50_000
 ONE_IN = 5_000
 """Every branch comes up at least once in so many decisions: 1,000 times in the halves of ten million."""
 
@@ -41,18 +42,22 @@ HALVES = {
 }
 
 
-def soak(name: str, decisions: int, seed: int, console: Console) -> Any:
-    """Run hostile trials, showing how far they are, until Ctrl-C at the latest."""
+def soak(names: Sequence[str], decisions: int, seed: int, console: Console) -> dict[str, Any]:
+    """Run hostile trials of all halves by turns, showing how far they are, until Ctrl-C at the latest."""
     columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
-    module = HALVES[name].module
-    tally = module.Tally()
+    tallies = {name: HALVES[name].module.Tally() for name in names}
     with Progress(*columns, console=console) as progress, warnings.catch_warnings(action="ignore"):
-        task = progress.add_task(name, total=decisions)
+        task = progress.add_task("decisions", total=decisions * len(names))
         try:
-            module.run(seed, decisions, progress=lambda done: progress.advance(task, done), tally=tally)
+            for done in range(0, decisions, SLICE):
+                for name, tally in tallies.items():
+                    size = min(SLICE, decisions - done)
+                    HALVES[name].module.run(
+                        f"{seed} {done}", size, progress=lambda more: progress.advance(task, more), tally=tally
+                    )
         except KeyboardInterrupt:
-            console.print(f"{name}: stopped")
-    return tally
+            console.print("stopped")
+    return tallies
 
 
 def shortcomings(half: Half, tally: Any) -> list[str]:
@@ -89,8 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen, console = parser.parse_args(arguments), Console()
     logging.disable(logging.CRITICAL)
     names, failed = [chosen.only] if chosen.only else list(HALVES), False
-    for name in names:
-        tally = soak(name, chosen.decisions // len(names), chosen.seed, console)
+    for name, tally in soak(names, chosen.decisions // len(names), chosen.seed, console).items():
         show(name, tally, console)
         problems = shortcomings(HALVES[name], tally)
         for problem in problems:

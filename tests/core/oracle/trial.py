@@ -185,7 +185,7 @@ class Trial:
 
 
 def run(
-    seed: int,
+    seed: int | str,
     decisions: int,
     *,
     chosen: Sequence[tuple[str, str]] = EVERYTHING,
@@ -197,8 +197,9 @@ def run(
 ) -> Tally:
     """Run trials until so many decisions were taken, and write into the tally what is seen."""
     random, tally = Random(seed), tally or Tally()
+    decisions += tally.decisions
     plot = Plot(random, chosen)
-    tally.deeds = plot.done
+    plot.done = tally.deeds
     while tally.decisions < decisions:
         before = tally.decisions
         Trial(random, tally, plot, make_engine, mischief).run(trial_length)

@@ -217,7 +217,7 @@ class Trial:
 
 
 def run(
-    seed: int,
+    seed: int | str,
     decisions: int,
     *,
     chosen: Sequence[tuple[str, str]] = OFTEN,
@@ -229,8 +229,9 @@ def run(
 ) -> Tally:
     """Run trials until so many decisions were taken, and write into the tally what is seen."""
     random, tally = Random(seed), tally or Tally()
+    decisions += tally.decisions
     plot = Plot(random, chosen, BEHAVIOURS)
-    tally.deeds = plot.done
+    plot.done = tally.deeds
     while tally.decisions < decisions:
         before = tally.decisions
         Trial(random, tally, plot, make_loop, mischief).run(trial_length)
