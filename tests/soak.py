@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import logging
+import signal
 import sys
 import warnings
 from collections.abc import Sequence
@@ -92,6 +93,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1, help="what is drawn, and when who misbehaves (default 1)")
     parser.add_argument("--only", choices=HALVES, help="one half only, with all the decisions")
     chosen, console = parser.parse_args(arguments), Console()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background may ignore it
     logging.disable(logging.CRITICAL)
     names, failed = [chosen.only] if chosen.only else list(HALVES), False
     for name, tally in soak(names, chosen.decisions // len(names), chosen.seed, console).items():
