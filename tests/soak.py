@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import logging
+import signal
 import sys
 import warnings
 from collections.abc import Sequence
@@ -23,6 +24,7 @@ from tests.wrapping.oracle import cast
 from tests.wrapping.oracle import trial as wrap
 
 LEAST_CLEAN, LEAST_AMPLIFIED = 0.3, 0.1
+SLICE = 50_000
 ONE_IN = 5_000
 """Every branch comes up at least once in so many decisions: 1,000 times in the halves of ten million."""
 
@@ -30,23 +32,33 @@ ONE_IN = 5_000
 class Half(NamedTuple):
     """What is soaked, what its parts do wrong, and which branches that has to reach."""
 
-    run: Any
+    module: Any
     everything: Sequence[tuple[str, str]]
     branches: tuple[str, ...]
 
 
 HALVES = {
-    "engine": Half(engine.run, behaviours.EVERYTHING, branches.ENGINE),
-    "wrap": Half(wrap.run, cast.EVERYTHING, branches.WRAP),
+    "engine": Half(engine, behaviours.EVERYTHING, branches.ENGINE),
+    "wrap": Half(wrap, cast.EVERYTHING, branches.WRAP),
 }
 
 
-def soak(name: str, decisions: int, seed: int, console: Console) -> Any:
-    """Run hostile trials, showing how far they are."""
+def soak(names: Sequence[str], decisions: int, seed: int, console: Console) -> dict[str, Any]:
+    """Run hostile trials of all halves by turns, showing how far they are, until Ctrl-C at the latest."""
     columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    tallies = {name: HALVES[name].module.Tally() for name in names}
     with Progress(*columns, console=console) as progress, warnings.catch_warnings(action="ignore"):
-        task = progress.add_task(name, total=decisions)
-        return HALVES[name].run(seed, decisions, progress=lambda done: progress.advance(task, done))
+        task = progress.add_task("decisions", total=decisions * len(names))
+        try:
+            for done in range(0, decisions, SLICE):
+                for name, tally in tallies.items():
+                    size = min(SLICE, decisions - done)
+                    HALVES[name].module.run(
+                        f"{seed} {done}", size, progress=lambda more: progress.advance(task, more), tally=tally
+                    )
+        except KeyboardInterrupt:
+            console.print("stopped")
+    return tallies
 
 
 def shortcomings(half: Half, tally: Any) -> list[str]:
@@ -81,10 +93,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1, help="what is drawn, and when who misbehaves (default 1)")
     parser.add_argument("--only", choices=HALVES, help="one half only, with all the decisions")
     chosen, console = parser.parse_args(arguments), Console()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background may ignore it
     logging.disable(logging.CRITICAL)
     names, failed = [chosen.only] if chosen.only else list(HALVES), False
-    for name in names:
-        tally = soak(name, chosen.decisions // len(names), chosen.seed, console)
+    for name, tally in soak(names, chosen.decisions // len(names), chosen.seed, console).items():
         show(name, tally, console)
         problems = shortcomings(HALVES[name], tally)
         for problem in problems:

@@ -30,7 +30,7 @@ def test_the_contract_of_wrap_holds_whatever_parts_and_types_do() -> None:
     tally = run(11, 20_000)
     assert not tally.breaches, tally.report()
     assert set(EVERYTHING) == set(tally.deeds)
-    assert [] == find_missing(tally.hits, WRAP, 1)
+    assert [] == find_missing(tally.hits, WRAP, 4)
     assert tally.clean >= 0.3 * tally.decisions
     assert tally.amplified >= 0.1 * tally.decisions
 
@@ -52,7 +52,7 @@ UNDISPUTED = [
 
 
 def judged(make_loop: type[Broken]) -> Tally:
-    return run(5, 3000, chosen=UNDISPUTED, make_loop=make_loop, trial_length=40, mischief=0.3)
+    return run(5, 1500, chosen=UNDISPUTED, make_loop=make_loop, trial_length=40, mischief=0.3)
 
 
 @pytest.mark.parametrize("name", BROKEN)

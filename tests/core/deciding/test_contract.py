@@ -9,6 +9,7 @@ from __future__ import annotations
 import pytest
 
 from tests.core.oracle.behaviours import EVERYTHING
+from tests.core.oracle.branches import ENGINE, find_missing
 from tests.core.oracle.doubles import BROKEN
 from tests.core.oracle.trial import Tally, run
 from tutorstudent.core.deciding.engine import Engine
@@ -31,8 +32,9 @@ def test_the_contract_holds_when(slot: str, behaviour: str) -> None:
 
 
 def test_the_contract_holds_whatever_all_parts_do() -> None:
-    tally = run(11, 6000)
+    tally = run(11, 20_000)
     assert set(EVERYTHING) == set(tally.deeds)
+    assert [] == find_missing(tally.hits, ENGINE, 4)
     assert not tally.breaches, tally.report()
 
 

@@ -185,7 +185,7 @@ class Trial:
 
 
 def run(
-    seed: int,
+    seed: int | str,
     decisions: int,
     *,
     chosen: Sequence[tuple[str, str]] = EVERYTHING,
@@ -193,13 +193,15 @@ def run(
     trial_length: int = 200,
     mischief: float = 0.55,
     progress: Callable[[int], None] = lambda done: None,
+    tally: Tally | None = None,
 ) -> Tally:
-    """Run trials until so many decisions were taken."""
-    random, tally = Random(seed), Tally()
+    """Run trials until so many decisions were taken, and write into the tally what is seen."""
+    random, tally = Random(seed), tally or Tally()
+    decisions += tally.decisions
     plot = Plot(random, chosen)
+    plot.done = tally.deeds
     while tally.decisions < decisions:
         before = tally.decisions
         Trial(random, tally, plot, make_engine, mischief).run(trial_length)
         progress(tally.decisions - before)
-    tally.deeds = plot.done
     return tally

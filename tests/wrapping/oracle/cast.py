@@ -20,18 +20,15 @@ from tests.core.oracle.plot import Plot
 from tests.core.oracle.shapes import TINY
 from tests.wrapping.oracle.judge import Rules, Said, say
 from tests.wrapping.oracle.kits import KITS, SCALARS, Bounds, Kit
-from tests.wrapping.oracle.meddling import ACTS, HAND, SPOILS
+from tests.wrapping.oracle.meddling import ACTS, HAND, OWN_CHANGED, SPOILS
 from tutorstudent.core.roles.leaves import Condition
 
 SHOWN = ("spoil propose", "spoil teach", "spoil violated")
 BEHAVIOURS = PROPAGATION | EVALUATION | ACTS | dict.fromkeys(SHOWN, SPOILS)
 BLAMES = BLAMED | dict.fromkeys(ACTS, ("action",))
-UNHELD = [
-    ("whole", "is the controller's own, changed"),
-    ("whole", "spoils something else of the controller's own"),
-    ("whole", "raises after the controller's own was changed"),
-]
-EVERYTHING = [(slot, name) for slot, acts in BEHAVIOURS.items() for name in acts if (slot, name) not in UNHELD]
+EVERYTHING = [(slot, name) for slot, acts in BEHAVIOURS.items() for name in acts]
+OFTEN = [*EVERYTHING, *(pair for pair in EVERYTHING if pair[0] in ACTS)] + 5 * [("whole", name) for name in OWN_CHANGED]
+"""The same, with more of what only few forms of command give an opportunity for."""
 
 
 class Robot:

@@ -169,7 +169,8 @@ class Ungated(Broken):
 
     def __init__(self, controller: Any, **others: Any) -> None:
         super().__init__(controller, **others)
-        self.engine.tutor.read_back = lambda *args: None  # type: ignore[union-attr]
+        tutor: Any = self.engine.tutor
+        tutor.write = lambda action: (tutor.command if action is tutor.said else action.write(tutor.command), None)
 
 
 class Stubborn(Broken):

@@ -130,7 +130,9 @@ def _names(kinds: Sequence[type[Any]]) -> str:
 
 
 def judge(rules: Rules, said: Said, got: Measured) -> list[Breach]:
-    """Return every breach of bounds, direction, cap and factor."""
+    """Return every breach of bounds, direction, cap and factor; the controller's own numbers are none."""
+    if got.numbers == said.numbers:
+        return []
     return [*_bounds(rules, got), *_direction(rules, said, got), *_cap(rules, got), *_factor(rules, got)]
 
 
@@ -230,6 +232,8 @@ def _stopped(rules: Rules, got: Measured) -> bool:
 
 def judge_heading(rules: Rules, said: Said, got: Measured) -> list[Breach]:
     """Return a breach if a vector turned: what its numbers gained is not in proportion to what they were."""
+    if len(got.numbers) == 1 or not got.travelled:
+        return []
     neutral = Fraction(rules.bounds.neutral)
     steps = [new - old for new, old in zip(got.numbers, said.numbers, strict=True)]
     arms = [old - neutral for old in said.numbers]

@@ -122,14 +122,18 @@ FUNCTIONS = [
         grain=0.001
     ),
 ]
-UNHELD = [
+SUBTLE = [
     sequence("list subclass", own.Track),
     sequence("tuple subclass", own.Duo),
     sequence("Makes", lambda v: own.Makes(*v), 2)._replace(skipped=(("turn",), ("speed",))),
-    named("objects in objects", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1, 0.2, v[1])), "linear.x", "angular.z"),
-    named("a number in an object", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1)), "linear.x"),
+    named(
+        "properties in objects", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1, 0.2, v[1])), "linear.x", "angular.z"
+    )._replace(skipped=(("linear", "_x"), ("angular", "z"))),
+    named("a property in an object", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1)), "linear.x")._replace(
+        skipped=(("linear", "_x"),)
+    ),
 ]
-KITS = [*SCALARS, *SEQUENCES, *NAMED, *FUNCTIONS]
+KITS = [*SCALARS, *SEQUENCES, *NAMED, *FUNCTIONS, *SUBTLE]
 
 
 class Bounds(NamedTuple):

@@ -38,12 +38,15 @@ WHOLES: dict[str, Behaviour] = {
     "is what cannot be looked at": Behaviour("refused", returns(Touchy())),
     "is the controller's own": Behaviour("either", lambda h, a: a[0].own),
     "is the controller's own, changed": Behaviour("either", lambda h, a: a[0].change_own(h)),
+    "is right, with the controller's own changed": Behaviour("either", lambda h, a: [a[0].change_own(h), h][1]),
     "spoils something else of the controller's own": Behaviour("either", lambda h, a: a[0].forget(a[0].own) and h),
     "raises after the controller's own was changed": Behaviour("refused", lambda h, a: _fail(a[0].change_own(h))),
     "forgets what is not declared": Behaviour("either", lambda h, a: a[0].forget(h)),
     "is of another type": Behaviour("either", lambda h, a: a[0].retype(h)),
 }
 """The whole command that is written; what stands at `actions[0]` knows the controller's own."""
+
+OWN_CHANGED = [name for name in WHOLES if "controller's own" in name]
 
 
 def _fail(_: Any) -> Any:

@@ -16,7 +16,7 @@ from tests.wrapping.oracle import judge as judging
 from tests.wrapping.oracle.cast import (
     BEHAVIOURS,
     BLAMES,
-    EVERYTHING,
+    OFTEN,
     Controller,
     Hearing,
     draw,
@@ -31,7 +31,7 @@ from tests.wrapping.oracle.meddling import HAND
 from tests.wrapping.oracle.views import View
 
 MakeLoop = Callable[..., Any]
-SEATS = (Controller,)
+SEATS = (Controller, Controller, Hearing)
 WRITES = ("number", "whole")
 
 
@@ -217,22 +217,24 @@ class Trial:
 
 
 def run(
-    seed: int,
+    seed: int | str,
     decisions: int,
     *,
-    chosen: Sequence[tuple[str, str]] = EVERYTHING,
+    chosen: Sequence[tuple[str, str]] = OFTEN,
     make_loop: MakeLoop = ts.wrap,
     trial_length: int = 200,
     mischief: float = 0.55,
     progress: Callable[[int], None] = lambda done: None,
+    tally: Tally | None = None,
 ) -> Tally:
-    """Run trials until so many decisions were taken."""
-    random, tally = Random(seed), Tally()
+    """Run trials until so many decisions were taken, and write into the tally what is seen."""
+    random, tally = Random(seed), tally or Tally()
+    decisions += tally.decisions
     plot = Plot(random, chosen, BEHAVIOURS)
+    plot.done = tally.deeds
     while tally.decisions < decisions:
         before = tally.decisions
         Trial(random, tally, plot, make_loop, mischief).run(trial_length)
         plot.take()
         progress(tally.decisions - before)
-    tally.deeds = plot.done
     return tally

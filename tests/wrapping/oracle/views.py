@@ -57,4 +57,4 @@ class View:
             copied = other.__new__(other)
             vars(copied).update(vars(made))
             return copied
-        return tuple(made) if isinstance(made, tuple) else made
+        return made
