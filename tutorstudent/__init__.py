@@ -25,6 +25,7 @@ from tutorstudent.core.words.errors import (
     PluginError,
     TutorStudentError,
     UnknownPlugin,
+    UnreadableState,
 )
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
@@ -78,6 +79,7 @@ __all__ = [
     "Tutor",
     "TutorStudentError",
     "UnknownPlugin",
+    "UnreadableState",
     "World",
     "change",
     "component",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.loop import Loop
@@ -11,8 +13,10 @@ from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.leaves import Condition, condition
 from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError
 
 Predicate = Callable[[Any], bool]
+Ranges = Sequence[float] | Sequence[tuple[float, float]] | Mapping[str, tuple[float, float]]
 
 
 def wrap(
@@ -21,7 +25,7 @@ def wrap(
     action: type[Action] | None = None,
     condition: Predicate | Condition[Any] | None = None,
     conditions: Sequence[Predicate | Condition[Any]] = (),
-    ranges: Sequence[tuple[float, float]] = (),
+    ranges: Ranges = (),
     factor: float | None = 1.3,
     slew: int | None = 1,
     seed: int = 0,
@@ -34,8 +38,8 @@ def wrap(
         action: What the controller returns, as in ``scalar(-1, 1)``; a `Tutor` brings its own.
         condition: Operational condition: true means violated.
         conditions: Several of them.
-        ranges: Low and high of each number of the state; without them the student sees only the controller's own
-            command.
+        ranges: Low and high of each number of the state, or of those that are named: ``{"pose.x": (0, 5)}``; of a
+            single number also ``(0, 100)``. Without them the student sees only the controller's own command.
         factor: The executed magnitude is at most this many times the controller's own.
         slew: Largest change of the amplification level from one decision to the next.
         seed: The one seed.
@@ -45,17 +49,23 @@ def wrap(
     Raises:
         TutorStudentError: if the parts do not fit; the message says what to do.
     """
+    if len(ranges) and "student" in slots:
+        raise ContractError(
+            "wrap(): found ranges= and student=; ranges are for the default student. Write them into yours, as in "
+            "student={'use': 'table', 'encoder': {'use': 'ranges', 'ranges': [[0, 100]]}, 'codec': 'level-ampbit'}."
+        )
     found = [condition, *conditions] if condition is not None else list(conditions)
     slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
     pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(ranges) | slots, {}))
     return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_name_conditions(found)))
 
 
-def _make_defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
+def _make_defaults(ranges: Ranges) -> dict[str, Any]:
+    declared = dict(ranges) if isinstance(ranges, Mapping) else np.asarray(ranges).tolist()
     return {
         "student": {
             "use": "table",
-            "encoder": {"use": "ranges", "ranges": [list(pair) for pair in ranges]},
+            "encoder": {"use": "ranges", "ranges": declared},
             "codec": "level-ampbit",
         },
         "selector": "modifier",

@@ -10,7 +10,7 @@ import copy
 import dataclasses
 import types
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from datetime import date, time, timedelta
 from decimal import Decimal
 from enum import Enum
@@ -44,6 +44,18 @@ def take_snapshot(state: _T) -> _T:
     return shown
 
 
+def list_members(shown: Any) -> list[str]:
+    """Return the public names of what is shown: a mapping's keys, or an object's attributes, read or not.
+
+    >>> list_members(take_snapshot({"odom": {"x": 1.0}}))
+    ['odom']
+    """
+    if isinstance(shown, Mapping):
+        return [str(key) for key in shown]
+    own = vars(shown)[_SOURCE][0] if _SOURCE in getattr(shown, "__dict__", {}) else shown
+    return [name for name in dir(own) if not name.startswith("_")]
+
+
 class Snapshot:
     """One look at a state. `end` makes it final: what nobody has read by then was not kept."""
 
@@ -75,7 +87,7 @@ class Snapshot:
         for container, fill in _FILL.items():
             if isinstance(value, container):
                 return self._fill(value, container, fill, name)
-        if dataclasses.is_dataclass(value) or isinstance(value, BaseModel):
+        if dataclasses.is_dataclass(value) or isinstance(value, BaseModel | types.SimpleNamespace):
             return self._copy_record(value, name)
         return self._keep(value, _make_twin(value, self, name))
 
