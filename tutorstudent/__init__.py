@@ -24,6 +24,7 @@ from tutorstudent.core.words.errors import (
     PipelineError,
     PluginError,
     TutorStudentError,
+    TutorStudentWarning,
     UnknownPlugin,
     UnreadableState,
 )
@@ -78,6 +79,7 @@ __all__ = [
     "Turn",
     "Tutor",
     "TutorStudentError",
+    "TutorStudentWarning",
     "UnknownPlugin",
     "UnreadableState",
     "World",

@@ -27,7 +27,8 @@ def fail(moment: Any) -> Any:
 def faulty(**slots: Any) -> ts.Loop:
     """Return a loop whose student fails in every decision."""
     student = LevelStudent(propose=fail)
-    pipeline = ts.Pipeline(Document("test", {"student": "silent", "selector": "modifier"}, {}))
+    values = {"student": "silent", "selector": "modifier", "limits": {"factor": 1.3, "slew": 1}}
+    pipeline = ts.Pipeline(Document("test", values, {}))
     return ts.Loop(pipeline.engine(tutor=as_tutor(lambda y: 0.5, ts.scalar(-1, 1)), student=student, **slots))
 
 

@@ -91,6 +91,8 @@ def run(
     if note:
         typer.echo(f"tutorstudent: {note}", err=True)
     _print_incidents(finished.engine)
+    for notice in finished.notices:
+        _say(f"notice: {notice.says}")
     _say(f"written to {directory}")
     if strict and finished.engine.incident_counts:
         raise typer.Exit(1)

@@ -66,6 +66,10 @@ class UnreadableState(ContractError):
     """
 
 
+class TutorStudentWarning(UserWarning):
+    """A learner has no effect; the message says why and what to do."""
+
+
 def suggest(word: str, known: Iterable[str]) -> str:
     """Return `` (did you mean 'x'?)``, or nothing when no known word is near.
 
