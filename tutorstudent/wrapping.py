@@ -9,8 +9,10 @@ import numpy as np
 
 from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.loop import Loop
+from tutorstudent.core.files.defaults import ONE_KIND, has_one_kind
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.roles.leaves import Condition, condition
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError
@@ -55,22 +57,18 @@ def wrap(
             "student={'use': 'table', 'encoder': {'use': 'ranges', 'ranges': [[0, 100]]}, 'codec': 'level-ampbit'}."
         )
     found = [condition, *conditions] if condition is not None else list(conditions)
+    tutor = as_tutor(controller, action)
     slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
-    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(ranges) | slots, {}))
-    return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_name_conditions(found)))
+    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(tutor, ranges) | slots, {}))
+    return Loop(pipeline.engine(tutor=tutor, conditions=_name_conditions(found)))
 
 
-def _make_defaults(ranges: Ranges) -> dict[str, Any]:
+def _make_defaults(tutor: Tutor[Any, Any], ranges: Ranges) -> dict[str, Any]:
+    """Return what stands in for slots that are not given: a pipeline's defaults of one kind, whatever the kinds."""
     declared = dict(ranges) if isinstance(ranges, Mapping) else np.asarray(ranges).tolist()
-    return {
-        "student": {
-            "use": "table",
-            "encoder": {"use": "ranges", "ranges": declared},
-            "codec": "level-ampbit",
-        },
-        "selector": "modifier",
-        "amplifier": {"use": "learning-phase", "decisions": 0, "change": "multiplicative"},
-    }
+    student = ONE_KIND["student"] | {"encoder": {"use": "ranges", "ranges": declared}}
+    others = {} if has_one_kind(tutor) else {key: ONE_KIND[key] for key in ("selector", "amplifier")}
+    return {"student": student} | others
 
 
 def _name_conditions(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
