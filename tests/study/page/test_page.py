@@ -207,8 +207,8 @@ def test_a_section_is_a_function_in_a_list(first: Study, monkeypatch: pytest.Mon
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:
     drawings = outline.all("svg")
-    # All have turns, collisions, contacts, violations, way and level; then time, raised, lessons and incidents.
-    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (6 + 4) * 6, 2, 2, 6
+    # All have turns, collisions, contacts, violations, way and level; then time, ratio, raised, lessons, incidents.
+    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (6 + 5) * 6, 2, 2, 6
     assert 2 * (gains + strips + totals + rates + matches + ways + harms) == len(drawings)
     assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
 
