@@ -24,7 +24,9 @@ from tutorstudent.core.words.errors import (
     PipelineError,
     PluginError,
     TutorStudentError,
+    TutorStudentWarning,
     UnknownPlugin,
+    UnreadableState,
 )
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal
@@ -77,7 +79,9 @@ __all__ = [
     "Turn",
     "Tutor",
     "TutorStudentError",
+    "TutorStudentWarning",
     "UnknownPlugin",
+    "UnreadableState",
     "World",
     "change",
     "component",

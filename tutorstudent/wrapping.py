@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.loop import Loop
+from tutorstudent.core.files.defaults import ONE_KIND, has_one_kind
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import Document
+from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.roles.leaves import Condition, condition
 from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import ContractError
 
 Predicate = Callable[[Any], bool] | type[Condition[Any]]
 """Also what `condition` made of one."""
+Ranges = Sequence[float] | Sequence[tuple[float, float]] | Mapping[str, tuple[float, float]]
 
 
 def wrap(
@@ -22,7 +28,7 @@ def wrap(
     action: type[Action] | None = None,
     condition: Predicate | Condition[Any] | None = None,
     conditions: Sequence[Predicate | Condition[Any]] = (),
-    ranges: Sequence[tuple[float, float]] = (),
+    ranges: Ranges = (),
     factor: float | None = 1.3,
     slew: int | None = 1,
     seed: int = 0,
@@ -35,8 +41,8 @@ def wrap(
         action: What the controller returns, as in ``scalar(-1, 1)``; a `Tutor` brings its own.
         condition: Operational condition: true means violated.
         conditions: Several of them.
-        ranges: Low and high of each number of the state; without them the student sees only the controller's own
-            command.
+        ranges: Low and high of each number of the state, or of those that are named: ``{"pose.x": (0, 5)}``; of a
+            single number also ``(0, 100)``. Without them the student sees only the controller's own command.
         factor: The executed magnitude is at most this many times the controller's own.
         slew: Largest change of the amplification level from one decision to the next.
         seed: The one seed.
@@ -46,22 +52,24 @@ def wrap(
     Raises:
         TutorStudentError: if the parts do not fit; the message says what to do.
     """
+    if len(ranges) and "student" in slots:
+        raise ContractError(
+            "wrap(): found ranges= and student=; ranges are for the default student. Write them into yours, as in "
+            "student={'use': 'table', 'encoder': {'use': 'ranges', 'ranges': [[0, 100]]}, 'codec': 'level-ampbit'}."
+        )
     found = [condition, *conditions] if condition is not None else list(conditions)
+    tutor = as_tutor(controller, action)
     slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
-    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(ranges) | slots, {}))
-    return Loop(pipeline.engine(tutor=as_tutor(controller, action), conditions=_name_conditions(found)))
+    pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(tutor, ranges) | slots, {}))
+    return Loop(pipeline.engine(tutor=tutor, conditions=_name_conditions(found)))
 
 
-def _make_defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
-    return {
-        "student": {
-            "use": "table",
-            "encoder": {"use": "ranges", "ranges": [list(pair) for pair in ranges]},
-            "codec": "level-ampbit",
-        },
-        "selector": "modifier",
-        "amplifier": {"use": "learning-phase", "decisions": 0, "change": "multiplicative"},
-    }
+def _make_defaults(tutor: Tutor[Any, Any], ranges: Ranges) -> dict[str, Any]:
+    """Return what stands in for slots that are not given: a pipeline's defaults of one kind, whatever the kinds."""
+    declared = dict(ranges) if isinstance(ranges, Mapping) else np.asarray(ranges).tolist()
+    student = ONE_KIND["student"] | {"encoder": {"use": "ranges", "ranges": declared}}
+    others = {} if has_one_kind(tutor) else {key: ONE_KIND[key] for key in ("selector", "amplifier")}
+    return {"student": student} | others
 
 
 def _name_conditions(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:

@@ -233,3 +233,12 @@ def test_hooks_are_traced_on_request(words: list[str], monkeypatch: pytest.Monke
     monkeypatch.setenv(TRACE, "")
     result: Any = CliRunner().invoke(app, words)
     assert "amplifiers: tutorstudent_components [hook]" in result.output
+
+
+def test_info_of_wrap_is_the_pipeline_that_does_the_same() -> None:
+    shown = CliRunner().invoke(app, ["plugins", "info", "wrap"])
+    assert 0 == shown.exit_code
+    assert "  change: multiplicative\n" in shown.stdout
+    assert "limits:\n  factor: 1.3\n  slew: 1\n" in shown.stdout
+    values = json.loads(CliRunner().invoke(app, ["plugins", "info", "wrap", "--json"]).stdout)
+    assert {"factor": 1.3, "slew": 1} == values["limits"]

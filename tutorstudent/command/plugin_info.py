@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import inspect
+import io
 import json
 import textwrap
 from collections.abc import Iterator
 from typing import Annotated, Any
 
 import typer
+from ruamel.yaml import YAML
 
+from tutorstudent.core.files.defaults import DEFAULTS, ONE_KIND
 from tutorstudent.core.files.optiontable import OptionRow, list_options
 from tutorstudent.core.files.registry import ROLES, Installed, Registry
 from tutorstudent.core.words.errors import UnknownPlugin, list_names, suggest
@@ -23,7 +26,13 @@ def info(
     role: Annotated[str | None, typer.Option(help="its role, where several parts have the name")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="print JSON")] = False,
 ) -> None:
-    """Show a part: where it comes from, what it does, its options, and the line for a pipeline."""
+    """Show a part: where it comes from, what it does, its options, and the line for a pipeline.
+
+    `wrap` shows the pipeline that does what `ts.wrap` does.
+    """
+    if name == "wrap":
+        typer.echo(json.dumps(make_wrapped(), indent=2) if as_json else format_wrapped())
+        return
     registry = Registry.discover()
     found = find(name, role, registry)
     if as_json:
@@ -31,6 +40,23 @@ def info(
         return
     for line in format_page(found, registry):
         typer.echo(line)
+
+
+def make_wrapped() -> dict[str, Any]:
+    """Return the values of the pipeline that does what `ts.wrap` does with its own defaults."""
+    others = {key: DEFAULTS[key] for key in ("evaluator", "conditions")}
+    return {"seed": 0} | ONE_KIND | others
+
+
+def format_wrapped() -> str:
+    """Return the same as YAML, with a head for people."""
+    stream = io.StringIO()
+    YAML().dump(make_wrapped(), stream)
+    return (
+        "# What ts.wrap(controller, action=...) makes, as a pipeline: tutorstudent.load(FILE, tutor=..., action=...).\n"
+        "# A pipeline whose tutor has actions of one kind may leave all of it out.\n"
+        "# Write the ranges of your state's numbers and your conditions into it.\n" + stream.getvalue()
+    ).rstrip()
 
 
 def find(name: str, role: str | None, registry: Registry) -> Installed:

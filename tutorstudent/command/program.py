@@ -20,6 +20,7 @@ from tutorstudent.command.check import check
 from tutorstudent.command.common_options import Trace, Verbose, add_common_options, heed, is_verbose
 from tutorstudent.command.compare import compare, report
 from tutorstudent.command.new import new
+from tutorstudent.command.outcome_lines import describe_amplification
 from tutorstudent.command.plugin_info import info
 from tutorstudent.command.plugin_list import plugins_list
 from tutorstudent.command.progress_bar import ProgressBar
@@ -88,9 +89,13 @@ def run(
     finished = _run_with_progress(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
     note = write_run(directory, finished)
     _print_summary(finished.summary)
+    for line in describe_amplification(finished.decisions):
+        _say(line)
     if note:
         typer.echo(f"tutorstudent: {note}", err=True)
     _print_incidents(finished.engine)
+    for notice in finished.notices:
+        _say(f"notice: {notice.says}")
     _say(f"written to {directory}")
     if strict and finished.engine.incident_counts:
         raise typer.Exit(1)

@@ -24,6 +24,8 @@ from tutorstudent.plugins.evaluators import Conditions
 class Unteachable(Student[StateT, ActionT, LevelProposal]):
     """A student that proposes levels and learns nothing."""
 
+    learns = False
+
     @property
     def proposal(self) -> type[Any]:
         return LevelProposal

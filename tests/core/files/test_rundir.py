@@ -251,3 +251,12 @@ def test_observers_that_use_one_name_keep_all_their_counts() -> None:
     summary = run_pipeline(pipeline).summary
     assert (0.5, 0.5, 0.5) == tuple(summary[key] for key in ("half", "half#2", "half#3"))
     assert "half#4" not in summary
+
+
+def test_a_learner_that_did_nothing_is_in_the_record(tmp_path: Path) -> None:
+    idle = finished(PIPELINE.replace("{use: learning-phase, decisions: 10}", "never"))
+    write_run(tmp_path / "run", idle)
+    (notice,) = json.loads((tmp_path / "run" / "run.json").read_text())["notices"]
+    assert "nobody asked" == notice["kind"]
+    assert "student 'table' asked for no level above 0, and amplifier 'never' raised none." in notice["says"]
+    assert () == finished().notices

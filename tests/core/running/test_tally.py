@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.core.oracle.scripted import KindStudent, LevelStudent
-from tests.core.toys import Pusher, Rail
+from tests.core.toys import Push, Pusher, Rail
 from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.function_tutor import FunctionTutor
+from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.core.running.observers import Tally
+from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run
 from tutorstudent.core.words.proposals import KindProposal, LevelProposal, Proposal
 from tutorstudent.plugins.amplifiers import Never
@@ -47,3 +51,31 @@ def test_a_student_that_says_nothing_has_no_match_rate(decisions: int, naming: b
 
 def test_a_student_that_names_no_kinds_has_no_match_rate() -> None:
     assert "match_rate" not in summary([LevelProposal(level=3, ampbit=True), None], naming=False)
+
+
+def drive(said: float, level: int, decisions: int = 6) -> tuple[dict[str, float], Arrays]:
+    """Return what is counted and recorded where a student asks for the same level in every decision."""
+    propose = LevelStudent(propose=lambda moment: LevelProposal(level=level, ampbit=True))
+    engine: Engine[Any, Any, Any] = Engine(
+        tutor=FunctionTutor(lambda _: Push(kind="push", force=said), Push),
+        student=propose,
+        selector=Modifier(),
+        amplifier=Never(),
+        evaluator=Conditions(),
+    )
+    tally, recorder = Tally(), Recorder()
+    run(engine, Rail(), decisions, observers=[tally, recorder])
+    return dict(tally.summary()), recorder.arrays()
+
+
+@pytest.mark.parametrize(("said", "ratio"), [(0.2, 2.5), (-0.2, 2.5), (0.8, 1.25)])
+def test_the_executed_ratio_is_what_was_executed_as_a_multiple_of_what_was_said(said: float, ratio: float) -> None:
+    summary, arrays = drive(said, level=3)
+    assert pytest.approx(ratio) == summary["executed_ratio"]
+    assert [pytest.approx(ratio)] * 6 == arrays["executed_ratio"].tolist()
+
+
+def test_a_command_at_neutral_has_no_executed_ratio() -> None:
+    summary, arrays = drive(0.0, level=3)
+    assert "executed_ratio" not in summary
+    assert np.isnan(arrays["executed_ratio"]).all()

@@ -41,7 +41,7 @@ def test_a_pipeline_file_is_read(tmp_path: Path) -> None:
 
 
 def test_the_chosen_level_is_executed_on_the_tutors_action() -> None:
-    env = env_of(limits__factor=None)
+    env = env_of(limits__factor=None, limits__slew=None)
     env.reset(seed=3)
     for level in (0, 3, 8, 1):
         *_, info = env.step(np.int64(level))

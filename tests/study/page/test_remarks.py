@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.study.made import made
+from tutorstudent.core.deciding.watching import Notice
 from tutorstudent.study.page.head import make_head
 from tutorstudent.study.page.remarks import OWN_OBSERVER, describe_goal, make_remarks
 from tutorstudent.study.pictures.palette import Palette
@@ -98,3 +99,12 @@ def test_a_search_in_which_all_levels_came_to_the_same_found_nothing() -> None:
             "the one that violates least, or the lowest of those, and best at nothing."
         )
     ] == make_remarks(study)
+
+
+def test_a_learner_that_did_nothing_is_a_remark_once_for_each_pipeline_and_kind_of_fault() -> None:
+    study = made({name: {"attractors": [3.0, 4.0, 5.0]} for name in ("alone", "2A", "ramp")})
+    dead = (Notice("student fails", "student failed in 98 of 100 decisions."),)
+    runs = tuple(run._replace(notices=dead if run.seed < 2 and run.variant != "alone" else ()) for run in study.runs)
+    assert ["2A in cave, 2 of 3 runs: student failed in 98 of 100 decisions."] == make_remarks(
+        study._replace(runs=runs)
+    )

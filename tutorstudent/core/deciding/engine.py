@@ -21,6 +21,7 @@ from tutorstudent.core.deciding.judging import Judge
 from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.deciding.teaching import Teacher
+from tutorstudent.core.deciding.turnstile import Turnstile
 from tutorstudent.core.deciding.tutoring import TutorSeat
 from tutorstudent.core.deciding.wiring import (
     check_conditions,
@@ -231,23 +232,3 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         if self._cycle.turn is None:
             raise ContractError(f"{what}: no decision is pending; call it after step() and before the next step().")
         return self._cycle.turn
-
-
-class Turnstile:
-    """Lets one call into an engine at a time; a part that calls the engine it works in is refused."""
-
-    __slots__ = ("_is_taken",)
-
-    def __init__(self) -> None:
-        self._is_taken = False
-
-    def __enter__(self) -> None:
-        if self._is_taken:
-            raise ContractError(
-                "the engine is in the middle of a decision; a part must not call the engine that it works in, and two "
-                "threads must not share one."
-            )
-        self._is_taken = True
-
-    def __exit__(self, *error: object) -> None:
-        self._is_taken = False

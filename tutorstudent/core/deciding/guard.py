@@ -11,7 +11,7 @@ from sys import getrecursionlimit, setrecursionlimit
 from types import FrameType, TracebackType
 from typing import Any, Literal
 
-from tutorstudent.core.words.errors import ContractError
+from tutorstudent.core.words.errors import ContractError, UnreadableState
 from tutorstudent.core.words.records import Incident
 
 OnIncident = Literal["continue", "raise"]
@@ -37,6 +37,8 @@ class Guard:
         self.counts: Counter[tuple[str, str]] = Counter()
         """Incidents by (part, kind)."""
         self.log: deque[Incident] = deque(maxlen=REMEMBERED)
+        self._first: int | None = None
+        """The number of the first decision; None before it."""
         self._decision = 0
         self._incidents: list[Incident] = []
         self.recursion_limit = getrecursionlimit()
@@ -46,6 +48,7 @@ class Guard:
         """Return the list that everything goes into which goes wrong from now on, until the next call."""
         self._decision, self._incidents = decision, []
         self.recursion_limit = getrecursionlimit()
+        self._first = decision if self._first is None else self._first
         return self._incidents
 
     def blame(self, part: str) -> Blame:
@@ -57,10 +60,11 @@ class Guard:
 
         Raises:
             ContractError: where incidents are to be raised.
+            UnreadableState: in the first decision, since a part that cannot read the state will never work.
         """
         if getrecursionlimit() != self.recursion_limit:  # first of all: the next call may be one too many
             setrecursionlimit(self.recursion_limit)
-        if is_owners(error):
+        if is_owners(error) or (issubclass(type(error), UnreadableState) and self._decision == self._first):
             raise error
         kind, message = _say(error)
         incident = Incident(self._decision, part, kind, message)

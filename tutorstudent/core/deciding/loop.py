@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import logging
+import warnings
 from typing import Any
 
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.function_tutor import FunctionTutor
 from tutorstudent.core.deciding.guard import is_owners
+from tutorstudent.core.deciding.watching import ENOUGH, Notice, Watch, find_assembly_notices
 from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.errors import TutorStudentWarning
 from tutorstudent.core.words.snapshots import PLAIN, Snapshot
 
 
@@ -17,6 +20,9 @@ class Loop:
 
     The first incident of each part and kind is logged as a warning of the logger ``tutorstudent``; all are in
     ``engine.incidents`` and counted in ``engine.incident_counts``.
+
+    A learner that has no effect is told as a `TutorStudentWarning`: at once where that can be known, else after 200
+    decisions, each kind of fault once. Where the owner has set up logging, the logger hears it too.
     """
 
     def __init__(self, engine: Engine[Any, Any, Any]) -> None:
@@ -24,6 +30,12 @@ class Loop:
         self._counts = engine.incident_counts
         self._told: set[tuple[str, str]] = set()
         self._tutor = engine.tutor if isinstance(engine.tutor, FunctionTutor) else None
+        self._watch: Watch | None = Watch(engine)
+        self._seen = engine.last
+        at_assembly = find_assembly_notices(engine)
+        self._noticed = {notice.kind for notice in at_assembly}
+        for notice in at_assembly:
+            self._point_out(notice)
 
     def step(self, state: Any) -> Any:
         """Return the command for this state, in the type that the controller returned.
@@ -40,6 +52,8 @@ class Loop:
         command = action if self._tutor is None else self._write(self._tutor, action)
         if len(self._counts) > len(self._told):
             self._tell()
+        if self._watch is not None:
+            self._look(self._watch)
         return command
 
     def _write(self, tutor: FunctionTutor, action: Action) -> Any:
@@ -67,6 +81,28 @@ class Loop:
         try:
             logging.getLogger("tutorstudent").warning(text, *words)
         except BaseException as error:  # whatever the owner's logging is made of, the command is more important
+            if is_owners(error):
+                raise
+
+    def _look(self, watch: Watch) -> None:
+        turn = self.engine.last
+        if turn is None or turn is self._seen:
+            return
+        self._seen = turn
+        watch.observe(turn)
+        if watch.decisions < ENOUGH:
+            return
+        self._watch = None
+        for notice in watch.find_notices():
+            if notice.kind not in self._noticed:
+                self._point_out(notice)
+
+    def _point_out(self, notice: Notice) -> None:
+        if logging.getLogger("tutorstudent").hasHandlers():
+            self._warn("%s", notice.says)
+        try:
+            warnings.warn(notice.says, TutorStudentWarning, stacklevel=4)
+        except BaseException as error:  # whoever makes errors of warnings: the command is more important
             if is_owners(error):
                 raise
 

@@ -14,6 +14,7 @@ from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.guard import OnIncident
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.files.assembly import Assembler
+from tutorstudent.core.files.defaults import DEFAULTS, add_change, choose_selector, make_defaults
 from tutorstudent.core.files.extending import EXTENDS, read_extended
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry, find_registry
@@ -29,15 +30,6 @@ from tutorstudent.core.running.runner import check_world
 from tutorstudent.core.running.transplanting import LearnedFile, transplant
 from tutorstudent.core.words.errors import PipelineError, list_names, quote, suggest
 
-DEFAULTS: dict[str, Any] = {
-    "selector": "same-kind",
-    "amplifier": "learning-phase",
-    "evaluator": "conditions",
-    "conditions": [],
-    "observers": [],
-    "limits": {},
-    "on_tutor_failure": "raise",
-}
 PLAIN = ("seed", "decisions", "on_incident", "learned")
 KEYS = [EXTENDS, *PLAIN, *SLOTS, "world", "conditions", "limits", "observers", "on_tutor_failure"]
 
@@ -119,12 +111,12 @@ class Pipeline:
             TutorStudentError: if it cannot be built; the message says where and what to do.
         """
         _check_given(given)
-        parts = {slot: self._make_part(slot) if given.get(slot) is None else given[slot] for slot in SLOTS}
+        parts = self._make_slots(given)
         if (conditions := given.get("conditions")) is None:
             conditions = self._assembler.make_parts("condition", self._get_value("conditions"), ("conditions",))
             for i, part in enumerate(conditions):
                 self._assembler.place_slot(f"conditions.{part.label}", ("conditions", i))
-        limits = self._make_limits()
+        limits = self._make_limits(parts["tutor"])
         with self._assembler.locate_errors(()):
             engine: Engine[Any, Any, Any] = Engine(
                 **parts,
@@ -158,21 +150,37 @@ class Pipeline:
                 observer.bind(Binding(self.header.seed, f"observers.{i}", action))
         return found
 
-    def _make_part(self, slot: str) -> Any:
-        if slot not in self.document.data and slot not in DEFAULTS:
+    def _make_slots(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the part of every slot; what the file leaves out depends on the tutor's actions."""
+        found, parts = self.document.data, {slot: part for slot, part in given.items() if part is not None}
+        tutor = parts["tutor"] if "tutor" in parts else self._make_part("tutor", found.get("tutor"))
+        parts["tutor"], left_out = tutor, make_defaults(tutor)
+        for slot in SLOTS:
+            if slot in parts:
+                continue
+            value = found.get(slot, left_out.get(slot))
+            if slot == "amplifier":
+                value = add_change(value, tutor, self.registry)
+            elif slot == "selector" and slot not in found:
+                value = choose_selector(parts["student"], tutor)
+            parts[slot] = self._make_part(slot, value)
+        return {slot: parts[slot] for slot in SLOTS}
+
+    def _make_part(self, slot: str, value: Any) -> Any:
+        if slot not in self.document.data and value is None:
             raise PipelineError(f"{self.document.name}: there is no '{slot}'; name one, as in '{slot}: {{use: ...}}'.")
-        return self._assembler.make_part(slot, self._get_value(slot), (slot,))
+        return self._assembler.make_part(slot, value, (slot,))
 
     def _get_value(self, key: str) -> Any:
         return self.document.data.get(key, DEFAULTS.get(key))
 
-    def _make_limits(self) -> Limits:
+    def _make_limits(self, tutor: Tutor[Any, Any]) -> Limits:
         values = self._get_value("limits")
         if not isinstance(values, dict):
             raise self._assembler.make_error(
                 ("limits",), f"found {quote(values)}; write a mapping, as in limits: {{cap: 0.8}}."
             )
-        return self._assembler.make_model(Limits, values, ("limits",), "limits")
+        return self._assembler.make_model(Limits, make_defaults(tutor)["limits"] | values, ("limits",), "limits")
 
     def _make_failure_action(self, tutor: Tutor[Any, Any]) -> Any:
         values = self._get_value("on_tutor_failure")

@@ -4,7 +4,7 @@
 |---|---|
 | ``pipeline.yaml`` | the pipeline with every option written out |
 | ``decisions.npz`` | every decision, see `Recorder` |
-| ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), measures, incidents |
+| ``run.json`` | versions, plugins, seed, summary (null for what is no finite number), measures, notices, incidents |
 | ``learned.npz`` | what was learned, see `arrays.nest` |
 """
 
@@ -23,12 +23,14 @@ from typing import Any, NamedTuple
 from ruamel.yaml import YAML
 
 from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.watching import Notice
 from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.running.arrays import Arrays, flatten, save_arrays
 from tutorstudent.core.running.meter import WorldEvents
+from tutorstudent.core.running.noticing import Noticer
 from tutorstudent.core.running.observers import Observer, Tally, make_tally_measures
 from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run
@@ -51,6 +53,8 @@ class Finished(NamedTuple):
     decisions: Arrays
     measures: tuple[Measure, ...] = ()
     """What the world, the observers and every run declare."""
+    notices: tuple[Notice, ...] = ()
+    """What kept the learner from having any effect."""
 
 
 def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Finished:
@@ -64,7 +68,8 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
         # Before the run: what cannot be written down should not cost a run.
         resolved, plugins = describe(built.engine, built.world, pipeline), find_providers(built, pipeline.registry)
         recorder = Recorder([*built.observers, *observers])
-        counting = [Tally(), WorldEvents(), recorder]
+        noticer = Noticer()
+        counting = [Tally(), WorldEvents(), recorder, noticer]
         for observer in (*counting, *observers):
             slot = f"observers.{observer.name}"
             observer.bind(Binding(pipeline.header.seed, slot, built.engine.tutor.action))
@@ -72,7 +77,7 @@ def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Fini
         engine, world, header = built.engine, built.world, pipeline.header
         summary = run(engine, world, header.decisions, seed=header.seed, observers=counting)
         measures = (*world.measures, *recorder.measured, *make_tally_measures(engine))
-        return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures)
+        return Finished(engine, resolved, plugins, summary, recorder.arrays(), measures, noticer.find_notices())
 
 
 def write_run(directory: Path, finished: Finished, final: Path | None = None) -> str | None:
@@ -149,6 +154,7 @@ def _make_record(finished: Finished) -> dict[str, Any]:
         "decisions": finished.resolved["decisions"],
         "summary": {key: value if math.isfinite(value) else None for key, value in finished.summary.items()},
         "measures": [asdict(measure) for measure in finished.measures],
+        "notices": [notice._asdict() for notice in finished.notices],
         "incident_counts": {f"{part}: {kind}": count for (part, kind), count in sorted(engine.incident_counts.items())},
         "newest_incidents": [incident._asdict() for incident in engine.incidents],
     }

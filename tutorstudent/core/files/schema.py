@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from pydantic.json_schema import models_json_schema
 
 from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.files.defaults import DEFAULTS, ONE_KIND
 from tutorstudent.core.files.extending import EXTENDS
 from tutorstudent.core.files.optiontable import read_default
-from tutorstudent.core.files.pipeline import DEFAULTS, Header
+from tutorstudent.core.files.pipeline import Header
 from tutorstudent.core.files.registry import ROLES, Registry
 from tutorstudent.core.roles.interfaces import SLOTS
 from tutorstudent.core.roles.part import Component
@@ -60,8 +62,18 @@ def _make_properties() -> dict[str, Any]:
             "description": "what is executed where the tutor fails: an action of its class, or 'raise'",
         },
     }
-    defaults = {key: {"default": value} for key, value in DEFAULTS.items()}
-    return properties | {key: value | defaults.get(key, {}) for key, value in (slots | others).items()}
+    for key, value in (slots | others).items():
+        properties[key] = value | _describe_default(key, value["description"])
+    return properties
+
+
+def _describe_default(key: str, description: str) -> dict[str, Any]:
+    """Return the default of a key; in words where it depends on how many kinds the tutor's actions have."""
+    if key in ONE_KIND:
+        several = json.dumps(DEFAULTS[key]) if key in DEFAULTS else "required"
+        left_out = f"if left out, with actions of one kind: {json.dumps(ONE_KIND[key])}; with several: {several}"
+        return {"description": f"{description.rstrip('.')}; {left_out}"}
+    return {"default": DEFAULTS[key]} if key in DEFAULTS else {}
 
 
 def _make_list(role: str, description: str) -> dict[str, Any]:

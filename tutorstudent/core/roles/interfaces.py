@@ -54,6 +54,8 @@ class Student(EnginePart, Generic[StateT, ActionT, ProposalT]):
     """The learner: any function approximator (Thesis 3.2.2.2)."""
 
     role: ClassVar[str] = "student"
+    learns: ClassVar[bool] = True
+    """False in a control that is taught nothing: that it asks for nothing is then meant."""
 
     @property
     @abc.abstractmethod

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
 from tutorstudent.core.words.errors import list_names, quote, suggest
+
+KEY = "[key]"
+"""What pydantic puts behind a key that is wrong itself."""
 
 
 def find_option_problems(model: type[BaseModel], error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
@@ -16,8 +19,17 @@ def find_option_problems(model: type[BaseModel], error: ValidationError) -> list
 
     A missing option is usually a misspelt one.
     """
-    items = sorted(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
-    return [(tuple(item["loc"]), _describe_problem(model, item)) for item in items]
+    found: list[Any] = list(error.errors(include_url=False))
+    fitting = [item for item in found if not (item["loc"] and _is_label(item["loc"][-1]))]
+    items = sorted(fitting or found, key=lambda item: item["type"] != "extra_forbidden")
+    for item in items:
+        item["loc"] = tuple(key for key in item["loc"] if key != KEY and not _is_label(key))
+    return [(item["loc"], _describe_problem(model, item)) for item in items]
+
+
+def _is_label(key: int | str) -> bool:
+    # Where an option takes several forms, pydantic puts the form between the keys, as in ``list[float]``.
+    return isinstance(key, str) and "[" in key and key != KEY
 
 
 def refuse_truth(annotation: Any, value: Any) -> None:
@@ -42,7 +54,8 @@ def _find_leaves(annotation: Any) -> Iterator[Any]:
 
 
 def _holds_truth(value: Any) -> bool:
-    return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_holds_truth, value)))
+    items = value.values() if isinstance(value, Mapping) else value if isinstance(value, list | tuple) else ()
+    return isinstance(value, bool) or any(map(_holds_truth, items))
 
 
 def _describe_problem(model: type[BaseModel], item: Any) -> str:

@@ -10,6 +10,7 @@ from typing import Any, ClassVar, NamedTuple
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.part import Component
 from tutorstudent.core.roles.world import Step, World
+from tutorstudent.core.running.ratios import measure_ratio
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import KindProposal
 from tutorstudent.core.words.turn import Turn
@@ -59,6 +60,13 @@ TALLIED = (
     ),
     Measure("mean_level", "mean level", summed="mean", description="amplification level over all decisions"),
     Measure(
+        "executed_ratio",
+        "executed / said",
+        summed="mean",
+        description="executed command as a multiple of the tutor's own, where that is not at neutral",
+        detail=True,
+    ),
+    Measure(
         "match_rate",
         "named the tutor's kind",
         unit="%",
@@ -88,6 +96,7 @@ class Tally(Observer):
     def __init__(self, **options: Any) -> None:
         super().__init__(**options)
         self._sums: Counter[str] = Counter()
+        self._ratio = 0.0
         self._violated: Counter[str] = Counter()
         self._situations: Counter[str] = Counter()
 
@@ -100,6 +109,9 @@ class Tally(Observer):
         sums["decisions"] += 1
         sums["amplified"] += decision.amplified
         sums["level"] += decision.resulting.level
+        if (ratio := measure_ratio(decision)) is not None:
+            self._ratio += ratio
+            sums["sized"] += 1
         sums["taught"] += turn.lesson is not None
         sums["incidents"] += len(turn.incidents)
         if isinstance(decision.proposal, KindProposal):
@@ -113,15 +125,18 @@ class Tally(Observer):
     def summary(self) -> Mapping[str, float]:
         """Return counts, the mean level, and the share of decisions spent in each situation.
 
-        ``match_rate`` is the share of decisions in which the student named the tutor's kind; a student that proposes
-        levels only has none.
+        ``executed_ratio`` is the mean of what was executed as a multiple of the tutor's own command; there is none
+        where that was always at neutral. ``match_rate`` is the share of decisions in which the student named the
+        tutor's kind; a student that proposes levels only has none.
         """
         decisions = max(1, self._sums["decisions"])
         matched = {"match_rate": self._sums["matched"] / decisions} if self._sums["naming"] else {}
         counts = {key: float(self._sums[key]) for key in ("decisions", "violated", "amplified", "taught", "incidents")}
+        ratio = {"executed_ratio": self._ratio / self._sums["sized"]} if self._sums["sized"] else {}
         return (
             counts
             | {"mean_level": self._sums["level"] / decisions}
+            | ratio
             | matched
             | {f"{VIOLATED}{name}": float(count) for name, count in sorted(self._violated.items())}
             | {f"share:{name}": count / decisions for name, count in sorted(self._situations.items()) if name}

@@ -13,6 +13,7 @@ from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
+from tutorstudent.core.running.ratios import measure_ratio
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.turn import Turn
@@ -45,9 +46,10 @@ class Recorder(Observer):
     It shows decisions to the other observers and keeps what they measure too, NaN where they measured nothing.
 
     `arrays` returns one entry for each column, shape (decisions,) or (decisions, n); names that index into a column
-    stand beside it (``kind_names`` for ``kind``). ``said`` is the tutor's own action, ``executed`` what was executed;
-    ``limited_by`` and ``void`` say why, with an empty name for nothing; ``incident_part`` is the first that failed. A
-    level that was not proposed or not taught is -1. Components that are no floats are left out.
+    stand beside it (``kind_names`` for ``kind``). ``said`` is the tutor's own action, ``executed`` what was executed,
+    ``executed_ratio`` how many times as much (see `measure_ratio`; NaN at neutral); ``limited_by`` and ``void`` say
+    why, with an empty name for nothing; ``incident_part`` is the first that failed. A level that was not proposed or
+    not taught is -1. Components that are no floats are left out.
     """
 
     name = "recorder"
@@ -82,6 +84,7 @@ class Recorder(Observer):
         self._heads = np.zeros((decisions, len(HEADS)), dtype=np.int32)
         self._said = np.zeros((decisions, len(self._components)))
         self._executed = np.zeros((decisions, len(self._components)))
+        self._ratio = np.zeros(decisions)
         self._violated = np.zeros((decisions, len(self._conditions)), dtype=bool)
         self._world = np.zeros((decisions, len(self._events)))
         self._measured = np.zeros((decisions, len(self.measured)))
@@ -97,6 +100,8 @@ class Recorder(Observer):
         events = step.events
         self._world[i] = [events.get(name, 0.0) for name in self._events]
         numbers = self._meter.observe(turn, step)
+        ratio = measure_ratio(decision)
+        self._ratio[i] = np.nan if ratio is None else ratio
         self._measured[i] = [numbers.get(measure.name, np.nan) for measure in self.measured]
         self._count += 1
 
@@ -135,6 +140,7 @@ class Recorder(Observer):
             "incident_part_names": _make_array(list(self._parts)),
             "said": self._said[:n],
             "executed": self._executed[:n],
+            "executed_ratio": self._ratio[:n],
             "component_names": _make_array(self._components),
             "violated": self._violated[:n],
             "condition_names": _make_array(self._conditions),

@@ -7,6 +7,7 @@
     |   `-- BrokenPlugin
     |-- PipelineError          a pipeline, an option or a scene cannot be built as it is written
     `-- ContractError          a part breaks the contract of its role
+        `-- UnreadableState    a part is wired to a state that it cannot read
 
 Every message says what was found, where, what is allowed and what to do.
 """
@@ -55,6 +56,18 @@ class PipelineError(TutorStudentError):
 
 class ContractError(TutorStudentError):
     """A part breaks the contract of its role."""
+
+
+class UnreadableState(ContractError):
+    """A part is wired to a state that it cannot read.
+
+    In an engine's first decision it goes through to the owner, who can mend the wiring; later it is an incident like
+    any other.
+    """
+
+
+class TutorStudentWarning(UserWarning):
+    """A learner has no effect; the message says why and what to do."""
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

@@ -10,7 +10,7 @@ import copy
 import dataclasses
 import types
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from datetime import date, time, timedelta
 from decimal import Decimal
 from enum import Enum
@@ -43,6 +43,18 @@ def take_snapshot(state: _T) -> _T:
     """
     shown: _T = Snapshot().take(state, "state")
     return shown
+
+
+def list_members(shown: Any) -> list[str]:
+    """Return the public names of what is shown: a mapping's keys, or an object's attributes, read or not.
+
+    >>> list_members(take_snapshot({"odom": {"x": 1.0}}))
+    ['odom']
+    """
+    if isinstance(shown, Mapping):
+        return [str(key) for key in shown]
+    own = vars(shown)[_SOURCE][0] if _SOURCE in getattr(shown, "__dict__", {}) else shown
+    return [name for name in dir(own) if not name.startswith("_")]
 
 
 class Snapshot:
@@ -84,7 +96,8 @@ class Snapshot:
         for container, fill in _FILL.items():
             if isinstance(value, container):
                 return self._fill(value, container, fill, name)
-        if not hasattr(kind, "__del__") and (dataclasses.is_dataclass(value) or isinstance(value, BaseModel)):
+        is_record = dataclasses.is_dataclass(value) or isinstance(value, BaseModel | types.SimpleNamespace)
+        if is_record and not hasattr(kind, "__del__"):
             return self._copy_record(value, name)
         return self._keep(value, _make_twin(value, self, name))
 

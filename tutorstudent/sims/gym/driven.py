@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.files.assembly import Assembler
-from tutorstudent.core.files.pipeline import DEFAULTS, Pipeline
+from tutorstudent.core.files.defaults import add_change, make_defaults
+from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.gym.outside import Ahead, Held, Outside
 
@@ -34,11 +35,12 @@ def drive(pipeline: Pipeline) -> Driven:
         )
     if "tutor" not in data:
         raise PipelineError(f"{pipeline.document.name}: there is no 'tutor'; name one, as in 'tutor: {{use: ...}}'.")
-    amplifier = data.get("amplifier", DEFAULTS["amplifier"])
+    tutor = assembler.make_part("tutor", data["tutor"], ("tutor",))
+    amplifier = add_change(data.get("amplifier", make_defaults(tutor)["amplifier"]), tutor, pipeline.registry)
     outside: Outside[Any, Any] = Outside(
         encoder=assembler.make_part("encoder", student["encoder"], ("student", "encoder")),
     )
-    ahead = Ahead(tutor=assembler.make_part("tutor", data["tutor"], ("tutor",)))
+    ahead = Ahead(tutor=tutor)
     held: Held[Any] = Held(amplifier=assembler.make_part("amplifier", amplifier, ("amplifier",)))
     engine = pipeline.replaced({"selector": "modifier"}).engine(tutor=ahead, student=outside, amplifier=held)
     return Driven(engine, ahead, outside)

@@ -94,6 +94,7 @@ def find_matches(arrays: Arrays) -> Curve | None:
 TALLIED: dict[str, Callable[[Arrays], Curve | None]] = {
     "violated": lambda arrays: np.asarray(arrays["violated"].any(axis=1), dtype=np.float64),
     "mean_level": read_level,
+    "executed_ratio": lambda arrays: arrays.get("executed_ratio"),  # runs of earlier versions have none
     "match_rate": find_matches,
     "amplified_share": lambda arrays: np.asarray(
         arrays["resulting_level"] > arrays["selected_level"], dtype=np.float64

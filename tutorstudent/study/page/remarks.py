@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -26,6 +27,7 @@ def make_remarks(study: Study) -> list[str]:
     """Return sentences about what is not there and what tells nothing; none of a study where all is well."""
     return [
         *_remark_on_waiting(study),
+        *_remark_on_notices(study),
         *_remark_on_goal(study),
         *_remark_on_constant(study),
         *_remark_on_sameness(study),
@@ -51,6 +53,19 @@ def _remark_on_waiting(study: Study) -> Iterator[str]:
     if waiting := len(study.waiting):
         runs = f"{waiting} run{' was' if waiting == 1 else 's were'}"
         yield f"{runs} not run yet; go on with: {make_resume_command(study.folder)}"
+
+
+def _remark_on_notices(study: Study) -> Iterator[str]:
+    """Yield what kept learners from having any effect, each kind once for every pipeline and environment."""
+    for environment in study.plan.environments:
+        for variant in environment.variants:
+            if variant.control:
+                continue
+            runs = study.of(environment.name, variant.name)
+            kinds = Counter(notice.kind for run in runs for notice in run.notices)
+            said = {notice.kind: notice.says for run in reversed(runs) for notice in run.notices}
+            for kind, times in kinds.items():
+                yield f"{variant.name} in {environment.name}, {times} of {len(runs)} runs: {said[kind]}"
 
 
 def _remark_on_goal(study: Study) -> Iterator[str]:

@@ -9,8 +9,9 @@ import zipfile
 import zlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from tutorstudent.core.deciding.watching import Notice
 from tutorstudent.core.running.arrays import Arrays, load_arrays
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.measures import Measure
@@ -47,6 +48,8 @@ class Run(NamedTuple):
     folder: Path
     measures: tuple[Measure, ...] = ()
     """What its parts declared; empty in runs of earlier versions."""
+    notices: tuple[Notice, ...] = ()
+    """What kept its learner from having any effect."""
 
     def arrays(self) -> Arrays:
         """Return every decision, as `tutorstudent.core.running.recorder.Recorder` kept it."""
@@ -125,12 +128,14 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
     if not (own / RECORD).exists():
         return Failure(job.environment, job.variant, job.seed, _find_problem(own))
     try:
-        summary, measures = _read_record(own)
+        record = json.loads((own / RECORD).read_text(encoding="utf-8"))
+        summary, measures = _read_numbers(record)
+        notices = tuple(Notice(**item) for item in record.get("notices", ()))
         _check_decisions(own / DECISIONS)
     except DAMAGES as error:
         problem = f"damaged: {' '.join(f'{type(error).__name__}: {error}'.split())}; {AGAIN}"
         return Failure(job.environment, job.variant, job.seed, problem)
-    return Run(job.environment, job.variant, job.seed, summary, own, measures)
+    return Run(job.environment, job.variant, job.seed, summary, own, measures, notices)
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
@@ -149,8 +154,7 @@ def write_csv(path: Path, runs: Sequence[Run]) -> None:
             writer.writerow([run.environment, run.variant, run.seed, *values])
 
 
-def _read_record(folder: Path) -> tuple[dict[str, float], tuple[Measure, ...]]:
-    data = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+def _read_numbers(data: dict[str, Any]) -> tuple[dict[str, float], tuple[Measure, ...]]:
     summary: dict[str, float] = {key: value for key, value in data["summary"].items() if value is not None}
     amplified = {"amplified_share": summary["amplified"] / max(1.0, summary["decisions"])}
     return summary | amplified, tuple(Measure(**item) for item in data.get("measures", ()))
