@@ -12,7 +12,8 @@ from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.leaves import Condition, condition
 from tutorstudent.core.words.actions import Action
 
-Predicate = Callable[[Any], bool]
+Predicate = Callable[[Any], bool] | type[Condition[Any]]
+"""Also what `condition` made of one."""
 
 
 def wrap(
@@ -65,6 +66,13 @@ def _make_defaults(ranges: Sequence[tuple[float, float]]) -> dict[str, Any]:
 
 def _name_conditions(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:
     return [
-        item if isinstance(item, Condition) else condition(f"condition-{number}")(item)()
+        item if isinstance(item, Condition) else _make_class(item, number)()
         for number, item in enumerate(conditions, start=1)
     ]
+
+
+def _make_class(item: Any, number: int) -> type[Condition[Any]]:
+    """Return the class that `condition` makes of a predicate; it may have been made already."""
+    if isinstance(item, type) and issubclass(item, Condition):
+        return item
+    return condition(f"condition-{number}")(item)

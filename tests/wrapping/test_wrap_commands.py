@@ -15,7 +15,7 @@ import pydantic
 import pytest
 
 import tutorstudent as ts
-from tutorstudent.core.words.forms import match_type
+from tutorstudent.core.words.forms import SEQUENCES, SequenceType, match_type
 
 SPEED = ts.scalar(-1, 1, name="speed")
 DRIVE = ts.vector(-1, 1, names=["speed", "turn"])
@@ -356,3 +356,21 @@ def test_a_subclass_of_a_command_reads_a_number_for_each_of_its_own_components()
     assert {"speed": 0.1, "turn": 0.2, "lamp": 1} == Renamed.read({"speed": 0.1, "turn": 0.2}).write(
         {"speed": 0.0, "turn": 0.0, "lamp": 1}
     )
+
+
+class Wheels(collections.UserList[float]):
+    """A sequence that is no list."""
+
+
+def test_another_type_of_sequences_is_a_line_in_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    action = ts.vector(-1, 1, 2)
+    with pytest.raises(ts.ContractError, match="expected a list, tuple or numpy array of 2 numbers"):
+        action.read(Wheels([0.3, 0.4]))
+    monkeypatch.setitem(SEQUENCES, Wheels, SequenceType("pair of wheels", list, lambda like, numbers: Wheels(numbers)))
+    own = Wheels([0.3, 0.4])
+    loop = ts.wrap(lambda state: own, action=action)
+    written = loop.step(0.0)
+    assert (Wheels, [0.33, 0.44], [0.3, 0.4]) == (type(written), pytest.approx(written.data), own.data)
+    assert not loop.engine.incidents
+    with pytest.raises(ts.ContractError, match="expected a list, tuple, numpy array or pair of wheels of 2 numbers"):
+        action.read("fast")

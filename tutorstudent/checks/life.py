@@ -52,7 +52,7 @@ def resets_twice(usage: Usage) -> None:
         raise CheckFailed(
             "it can be reset at any time, twice in a row too",
             describe_error(error),
-            "let reset() restore the beginning of an episode at any time; open things in setup()",
+            "let reset() restore the beginning of a trial at any time; open things in setup()",
         ) from error
 
 
@@ -73,7 +73,7 @@ def closes_twice(usage: Usage) -> None:
 
 
 def keeps_what_it_learned_over_trials(usage: Usage) -> None:
-    """`reset` forgets the episode only: what `state_dict` hands out is the same before and after."""
+    """`reset` forgets the trial only: what `state_dict` hands out is the same before and after."""
     part = make_fresh(usage)
     collect_answers(usage, part)
     learned = part.state_dict()
@@ -85,7 +85,7 @@ def keeps_what_it_learned_over_trials(usage: Usage) -> None:
         before == take_snapshot(part.state_dict()),
         "reset() keeps what was learned",
         "state_dict() changed",
-        "forget only the episode; what was learned survives all trials",
+        "forget only the trial; what was learned survives all trials",
     )
 
 

@@ -12,6 +12,7 @@ import pytest
 
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.roles.world import Sketch
+from tutorstudent.core.running.observers import TALLIED
 from tutorstudent.study.page import sections
 from tutorstudent.study.page.document import make_page
 from tutorstudent.study.page.head import make_head
@@ -207,8 +208,9 @@ def test_a_section_is_a_function_in_a_list(first: Study, monkeypatch: pytest.Mon
 
 def test_every_drawing_has_a_text(outline: Outline) -> None:
     drawings = outline.all("svg")
-    # All have turns, collisions, contacts, violations, way and level; then time, raised, lessons and incidents.
-    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (6 + 4) * 6, 2, 2, 6
+    # All have turns, collisions, contacts, way and time, and what every run measures; only two name kinds.
+    every_run = [measure for measure in TALLIED if measure.name != "match_rate"]
+    gains, strips, totals, rates, matches, ways, harms = 1, 2, 2 * 6, (5 + len(every_run)) * 6, 2, 2, 6
     assert 2 * (gains + strips + totals + rates + matches + ways + harms) == len(drawings)
     assert all(attributes.get("role") == "img" and attributes.get("aria-label") for attributes in drawings)
 

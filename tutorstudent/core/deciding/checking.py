@@ -25,8 +25,9 @@ def copy_checked(action: ActionT, what: str) -> ActionT:
 
 
 def seal(action: Action) -> Seal:
-    """Return what an action holds, to tell later whether it still holds the same."""
-    return tuple(action.__dict__.values())
+    """Return what an action is and holds, to tell later whether it still is and holds the same."""
+    read = action.vocabulary.read
+    return type(action), read, read(action.__dict__)
 
 
 def check_seal(action: Action, sealed: Seal) -> None:
@@ -34,9 +35,13 @@ def check_seal(action: Action, sealed: Seal) -> None:
 
     Objects are compared, not values: what was put there in place of a number may lie about being equal.
     """
-    held = action.__dict__
-    if len(held) < len(sealed) or not all(map(operator.is_, held.values(), sealed)):
-        raise Breach("mutated", "the action was changed; records are for reading.")
+    kind, read, held = sealed
+    try:
+        if type(action) is kind and all(map(operator.is_, read(action.__dict__), held)):
+            return
+    except KeyError:
+        pass
+    raise Breach("mutated", "the action was changed; records are for reading.")
 
 
 def check_records(turn: Turn[Any, Any]) -> None:
@@ -61,6 +66,16 @@ def renew_records(turn: Turn[Any, Any]) -> None:
     if turn._lesson is not None:
         target = turn._lesson.target._replace(action=shown)
         turn._lesson = turn._lesson._replace(moment=turn._moment, target=target, executed=executed)
+
+
+def check_proposal(proposal: Any, expected: type[Any]) -> None:
+    """Raise a `Breach` unless a proposal is of the type that was agreed on and holds what its type says."""
+    if type(proposal) is not expected:
+        raise Breach("wrong-return", f"propose() returned {type(proposal).__name__}; return {expected.__name__}.")
+    said = proposal.__dict__
+    level, ampbit, kind = said.get("level"), said.get("ampbit"), said.get("kind")
+    if type(level) is not int or level < 0 or type(ampbit) is not bool or not (kind is None or type(kind) is str):
+        raise Breach("wrong-return", "propose() returned a proposal that was not validated; make it by its class.")
 
 
 def check_graded(graded: Any, shown: ActionT) -> GradedAction[ActionT]:

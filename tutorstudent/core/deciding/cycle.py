@@ -41,7 +41,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         """The newest one that is over."""
 
     def propagate(self, state: StateT, shown: StateT) -> ActionT:
-        """Return the action to execute, and remember the decision (a-e). One that was never judged is dropped.
+        """Return the action to execute, and remember the decision (a-e). An earlier one that was not judged is dropped.
 
         Args:
             state: What the tutor is asked with.
@@ -109,7 +109,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
             record = rebuild(turn._action)
             turn._seals = turn._seals[0], seal(record)
         turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
-        self._limiter.remember(shown.kind, turn._resulting.level, turn._fractions)
+        self._limiter.remember(turn._original.kind, turn._resulting.level, turn._fractions)
         self.turn = turn
 
     def _end(self, turn: Turn[StateT, ActionT], incidents: int) -> None:

@@ -81,6 +81,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         check_failure_action(tutor, on_tutor_failure)
         self._guard = Guard(on_incident)
         check_conditions(self.conditions)
+        self._labels = [f"conditions.{condition.label}" for condition in self.conditions]
         for slot, part in self.slots():
             part.bind(Binding(seed, slot, tutor.action))
         check_wiring(student, selector)
@@ -126,7 +127,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """Yield every part with its slot."""
         for slot in ("tutor", "student", "selector", "amplifier", "evaluator"):
             yield slot, getattr(self, slot)
-        yield from ((f"conditions.{condition.label}", condition) for condition in self.conditions)
+        yield from zip(self._labels, self.conditions, strict=True)
 
     def step(self, state: StateT, shown: StateT | None = None) -> ActionT:
         """Judge the previous decision by this state, then decide. Call once per decision.
@@ -175,7 +176,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             self._corrector.correct(turn, copy_checked(action, "executed()"))
 
     def refused(self, error: BaseException) -> None:
-        """Say that the action could not be executed, and why: the tutor's own was executed instead.
+        """Say that the action could not be executed, and why: the tutor's own was executed instead, even past slew.
 
         Raises:
             ContractError: if no decision is pending, or where incidents are to be raised.
@@ -216,13 +217,15 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
     def load_state_dict(self, state: Learned) -> None:
         """Take back what `state_dict` returned."""
         parts = dict(self.slots())
-        for slot, value in state.items():
-            if slot == "decisions":
-                self._cycle.decisions = require_level(value)
-            elif slot in parts:
-                parts[slot].load_state_dict(value)
-            else:
-                raise ContractError(f"learned state names the part '{slot}'; this pipeline has {', '.join(parts)}.")
+        if unknown := [slot for slot in state if slot not in parts and slot != "decisions"]:
+            raise ContractError(f"learned state names the part '{unknown[0]}'; this pipeline has {', '.join(parts)}.")
+        decisions = require_level(state.get("decisions", self.decisions))
+        if decisions < 0:
+            raise ContractError(f"learned state says {decisions} decisions; expected 0 or more.")
+        for slot, part in parts.items():
+            if slot in state:
+                part.load_state_dict(state[slot])
+        self._cycle.decisions = decisions
 
     def _get_pending(self, what: str) -> Turn[StateT, ActionT]:
         if self._cycle.turn is None:

@@ -11,7 +11,7 @@ from typing import Any
 
 from tutorstudent.core.deciding.guard import Breach
 from tutorstudent.core.words.commands import Command
-from tutorstudent.core.words.errors import quote as quote
+from tutorstudent.core.words.errors import quote
 from tutorstudent.core.words.forms import Numbers
 from tutorstudent.core.words.snapshots import PLAIN
 

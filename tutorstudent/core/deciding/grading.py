@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Generic
 
-from tutorstudent.core.deciding.checking import check_graded, check_seal, seal
-from tutorstudent.core.deciding.guard import Breach, Guard
+from tutorstudent.core.deciding.checking import check_graded, check_proposal, check_seal, seal
+from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import render
 from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Student
@@ -16,7 +16,7 @@ from tutorstudent.core.words.turn import Turn
 
 
 class Grader(Generic[StateT, ActionT, ProposalT]):
-    """Asks student, selector and amplifier; where one fails, falls back to the tutor's own action."""
+    """Asks student, selector and amplifier; where one fails, falls back to the tutor's own action, through slew."""
 
     def __init__(
         self,
@@ -68,10 +68,7 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
 
     def _propose(self, turn: Turn[StateT, ActionT]) -> None:
         proposal = self._student.propose(turn._moment)
-        if type(proposal) is not self._proposal:
-            raise Breach(
-                "wrong-return", f"propose() returned {type(proposal).__name__}; return {self._proposal.__name__}."
-            )
+        check_proposal(proposal, self._proposal)
         turn._proposal = proposal
 
     def _select(self, turn: Turn[StateT, ActionT]) -> None:

@@ -16,6 +16,7 @@ from tutorstudent.core.words.records import Incident
 
 OnIncident = Literal["continue", "raise"]
 REMEMBERED = 1000
+_find_trace = BaseException.__dict__["__traceback__"].__get__
 MESSAGE = 500
 """Longest message of an incident, in characters."""
 
@@ -127,7 +128,7 @@ def is_owners(error: BaseException) -> bool:
     """
     if issubclass(type(error), KeyboardInterrupt):
         return True
-    trace = error.__traceback__
+    trace: TracebackType | None = _find_trace(error)  # a part's class may say otherwise
     while trace is not None:
         if _handles_a_signal(trace.tb_frame):
             return True
@@ -142,15 +143,16 @@ def _handles_a_signal(frame: FrameType) -> bool:
     values = frame.f_locals
     given = [values.get(name) for name in code.co_varnames[: code.co_argcount]]
     if code.co_flags & CO_VARARGS:
-        given += values.get(code.co_varnames[code.co_argcount + code.co_kwonlyargcount], ())
+        rest = values.get(code.co_varnames[code.co_argcount + code.co_kwonlyargcount])
+        given += rest if type(rest) is tuple else ()  # the function may have put something else there
     return any(argument is below and isinstance(number, int) for number, argument in pairwise(given))
 
 
 def _say(error: BaseException) -> tuple[str, str]:
     """Return kind and message of what a part raised, however it behaves when it is looked at."""
-    if type(error) is Breach:
-        return error.kind, str(error)
     try:
+        if type(error) is Breach and type(error.kind) is str:
+            return error.kind, str(error)[:MESSAGE]
         name = str(type(error).__name__)
         try:
             return "raised", f"{name}: {error}"[:MESSAGE]

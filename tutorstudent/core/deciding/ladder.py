@@ -14,8 +14,8 @@ from tutorstudent.core.words.turn import Fractions
 
 HIGHEST_LEVEL = 1000
 """No level goes beyond it, even where a level moves nothing."""
-# 3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant. Relative: commands may be tiny.
 ROUNDING = 1e-9
+"""3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant. Relative: commands may be tiny."""
 
 
 class Ladder:

@@ -29,8 +29,8 @@ class Loop:
         """Return the command for this state, in the type that the controller returned.
 
         The controller is asked with the very object; the other parts see copies of what they read. At level 0 the
-        command is the controller's own object; also where no other could be made or passed the last gate, which is an
-        incident.
+        command is the controller's own object. So it is where a changed command could not be made, or did not pass the
+        last gate; that is an incident.
         """
         if type(state) in PLAIN:
             action = self.engine.step(state)

@@ -51,7 +51,7 @@ class Component(abc.ABC):
 
     * ``__init__(**options)``: nothing; the base stores the validated options in ``self.options``
     * ``setup()``: once, when ``self.rng``, ``self.slot`` and ``self.action_class`` are known: allocate, open
-    * ``reset()``: between trials: forget the episode, keep what was learned
+    * ``reset()``: between trials: forget the trial, keep what was learned
     * ``judged(turn)``: hear what became of a decision (parts of an engine; optional)
     * ``state_dict()`` / ``load_state_dict()``: hand out and take back what was learned; never pickle
     * ``close()``: once, at the end
@@ -144,7 +144,7 @@ class EnginePart(Component):
     """A part of the engine: it is reset between trials."""
 
     def reset(self) -> None:
-        """Forget the episode, keep what was learned."""
+        """Forget the trial, keep what was learned."""
         with ExitStack() as stack:  # whatever one of them raises, all are reset
             for _, part in reversed(list(self.parts())):
                 if isinstance(part, EnginePart):

@@ -8,7 +8,9 @@ core renders amplified actions from it and nothing else.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import operator
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -50,8 +52,10 @@ class Vocabulary(NamedTuple):
     kinds: tuple[str, ...]
     fields: tuple[str, ...]
     """``kind`` and the components: all that an action holds."""
-    components: dict[str, ComponentSpec]
-    groups: dict[str, tuple[Group, ...]]
+    components: Mapping[str, ComponentSpec]
+    groups: Mapping[str, tuple[Group, ...]]
+    read: Callable[[dict[str, Any]], tuple[Any, ...]]
+    """Reads what an action holds in the order of `fields`."""
 
 
 def component(
@@ -107,7 +111,9 @@ class Action(BaseModel):
     kind: str = Field("command", pattern="^command$")
 
     amplification: ClassVar[AmplificationMap] = {}
-    vocabulary: ClassVar[Vocabulary] = Vocabulary(("command",), ("kind",), {}, {"command": ()})
+    vocabulary: ClassVar[Vocabulary] = Vocabulary(
+        ("command",), ("kind",), {}, {"command": ()}, lambda values: (values["kind"],)
+    )
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
@@ -141,7 +147,14 @@ def read_vocabulary(cls: type[Action]) -> Vocabulary:
             f"its kinds are {list_names(kinds)}."
         )
     groups = {kind: _make_groups(cls, kind, specs) for kind in kinds}
-    return Vocabulary(kinds, ("kind", *specs), specs, groups)
+    fields = ("kind", *specs)
+    return Vocabulary(kinds, fields, MappingProxyType(specs), MappingProxyType(groups), _make_reader(fields))
+
+
+def _make_reader(fields: tuple[str, ...]) -> Callable[[dict[str, Any]], tuple[Any, ...]]:
+    if len(fields) > 1:
+        return operator.itemgetter(*fields)
+    return lambda values: (values[fields[0]],)
 
 
 def _read_kinds(cls: type[Action]) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ import copy
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,10 +29,13 @@ class Form(abc.ABC):
 
     @abc.abstractmethod
     def write(self, numbers: Numbers, like: Any) -> Any:
-        """Return a new command with these numbers, in the type of `like`, which `read` took; None where none was."""
+        """Return a new command with these numbers, in the type of `like`.
+
+        `like` is the last command that `read` took, or None where there was none yet.
+        """
 
     def fit(self, numbers: Numbers, like: Any) -> Numbers:
-        """Return the numbers as the type of `like` holds them, rounded towards its own where it holds them not."""
+        """Return the numbers as the type of `like` can hold them; what it cannot hold is rounded towards its own."""
         return numbers
 
     def compare_rest(self, command: Any, written: Any) -> str | None:
@@ -41,7 +44,7 @@ class Form(abc.ABC):
 
 
 class PlainForm(Form):
-    """A number, or a list, tuple or numpy array of numbers."""
+    """A number, or one of `SEQUENCES` of numbers."""
 
     def __init__(self, size: int) -> None:
         self._size = size
@@ -51,9 +54,8 @@ class PlainForm(Form):
             return [command]
         items = _list_items(command)
         if len(items) != self._size or not all(map(is_number, items)):
-            several = f"a list, tuple or numpy array of {self._size} numbers"
             raise ContractError(
-                f"the controller's command is {quote(command)}; expected {'a number' if self._size == 1 else several}. "
+                f"the controller's command is {quote(command)}; expected {_describe(self._size)}. "
                 "Other commands are read by their names, as in ts.vector(-1, 1, names=['speed', 'turn']), "
                 "or by functions of yours: ts.scalar(-1, 1, read=..., write=...)."
             )
@@ -62,28 +64,16 @@ class PlainForm(Form):
     def fit(self, numbers: Numbers, like: Any) -> Numbers:
         if type(like) is float:
             return numbers
-        items = like.ravel() if isinstance(like, np.ndarray) else _list_items(like)
-        return [fit_number(item, number) for item, number in zip(items, numbers, strict=True)]
+        return [fit_number(item, number) for item, number in zip(_list_items(like), numbers, strict=True)]
 
     def write(self, numbers: Numbers, like: Any) -> Any:
         if like is None:
             return numbers if self._size > 1 else numbers[0]
-        numbers = self.fit(numbers, like)
-        if isinstance(like, np.ndarray):
-            return np.array(numbers, dtype=like.dtype if like.dtype.kind == "f" else np.float64).reshape(like.shape)
-        if not isinstance(like, list | tuple):
-            return match_type(like, numbers[0])
-        items = [match_type(item, number) for item, number in zip(like, numbers, strict=True)]
-        if isinstance(like, tuple):
-            return like._make(items) if hasattr(like, "_make") else type(like)(items)
-        if type(like) is list:
-            return items
-        copied = copy.copy(like)
-        copied[:] = items
-        return copied
+        numbers, sequence = self.fit(numbers, like), _find_sequence(like)
+        return sequence.write(like, numbers) if sequence else match_type(like, numbers[0])
 
     def compare_rest(self, command: Any, written: Any) -> str | None:
-        if isinstance(command, list | tuple | np.ndarray) and type(written) is not type(command):
+        if _find_sequence(command) and type(written) is not type(command):
             return f"the type to {type(written).__name__}"
         return None
 
@@ -105,9 +95,9 @@ class OwnForm(Form):
         try:
             return self._plain.read(found)
         except ContractError:
-            wanted = "a number" if self._size == 1 else f"a list, tuple or numpy array of {self._size} numbers"
             raise ContractError(
-                f"the controller's command is {quote(command)}: read= returned {quote(found)}; expected {wanted}."
+                f"the controller's command is {quote(command)}: read= returned {quote(found)}; "
+                f"expected {_describe(self._size)}."
             ) from None
 
     def write(self, numbers: Numbers, like: Any) -> Any:
@@ -150,11 +140,63 @@ def match_type(like: Any, number: float) -> Any:
     return type(like)(number) if isinstance(like, float | np.floating) else number
 
 
+class SequenceType(NamedTuple):
+    """A type of sequences: what messages call it, how its numbers are read, and how one like it is written."""
+
+    title: str
+    read: Callable[[Any], list[Any]]
+    """Returns the items in their own types, such as numpy's floats."""
+    write: Callable[[Any, Numbers], Any]
+    """``write(like, numbers)`` returns a new sequence with numbers that the items of `like` can hold."""
+
+
+def _match_items(like: Any, numbers: Numbers) -> list[Any]:
+    return [match_type(item, number) for item, number in zip(like, numbers, strict=True)]
+
+
+def _write_tuple(like: Any, numbers: Numbers) -> Any:
+    items = _match_items(like, numbers)
+    return like._make(items) if hasattr(like, "_make") else type(like)(items)
+
+
+def _write_list(like: Any, numbers: Numbers) -> Any:
+    if type(like) is list:
+        return _match_items(like, numbers)
+    copied = copy.copy(like)
+    copied[:] = _match_items(like, numbers)
+    return copied
+
+
+def _read_array(array: Any) -> list[Any]:
+    return list(array.ravel()) if array.dtype.kind in "fiu" else [array]
+
+
+def _write_array(like: Any, numbers: Numbers) -> Any:
+    return np.array(numbers, dtype=like.dtype if like.dtype.kind == "f" else np.float64).reshape(like.shape)
+
+
+SEQUENCES: dict[type[Any], SequenceType] = {
+    list: SequenceType("list", list, _write_list),
+    tuple: SequenceType("tuple", list, _write_tuple),
+    np.ndarray: SequenceType("numpy array", _read_array, _write_array),
+}
+"""What is read as it is, without names and functions; one more is a line here."""
+
+
+def _find_sequence(command: Any) -> SequenceType | None:
+    if (found := SEQUENCES.get(type(command))) is not None:
+        return found
+    return next((sequence for kind, sequence in SEQUENCES.items() if isinstance(command, kind)), None)
+
+
 def _list_items(command: Any) -> list[Any]:
-    if isinstance(command, np.ndarray) and command.dtype.kind in "fiu":
-        values: list[Any] = command.ravel().tolist()
-        return values
-    return list(command) if isinstance(command, list | tuple) else [command]
+    sequence = _find_sequence(command)
+    return sequence.read(command) if sequence else [command]
+
+
+def _describe(size: int) -> str:
+    *first, last = [sequence.title for sequence in SEQUENCES.values()]
+    return "a number" if size == 1 else f"a {', '.join(first)} or {last} of {size} numbers"
 
 
 def is_number(item: Any) -> bool:

@@ -63,6 +63,8 @@ class Snapshot:
     def take(self, value: Any, name: str) -> Any:
         """Return a copy of a value; `name` says in messages where it stands."""
         kind = type(value)
+        if isinstance(value, np.void):  # a row of a structured array: a view of the owner's
+            return value.copy()
         if kind in PLAIN or isinstance(value, _UNCHANGING):
             return value
         if id(value) in self._taken:  # shared, or a circle
@@ -82,7 +84,7 @@ class Snapshot:
         for container, fill in _FILL.items():
             if isinstance(value, container):
                 return self._fill(value, container, fill, name)
-        if dataclasses.is_dataclass(value) or isinstance(value, BaseModel):
+        if not hasattr(kind, "__del__") and (dataclasses.is_dataclass(value) or isinstance(value, BaseModel)):
             return self._copy_record(value, name)
         return self._keep(value, _make_twin(value, self, name))
 
@@ -188,12 +190,18 @@ def _find_twin(kind: type[Any]) -> type[Any] | str:
     if any("__init_subclass__" in vars(base) for base in kind.__mro__[:-1]):
         return "its class watches its subclasses"
     try:
-        body = {"__getattr__": _read_late, "__module__": kind.__module__}
+        body: dict[str, Any] = {"__getattr__": _read_late, "__module__": kind.__module__}
+        if hasattr(kind, "__del__"):
+            body["__del__"] = _keep_hold
         found: type[Any] = types.new_class(kind.__name__, (kind,), exec_body=lambda names: names.update(body))
         object.__new__(found)
     except Exception as error:  # classes of C, and whatever a metaclass thinks of it
         return f"{type(error).__name__}: {error}".rstrip(".")
     return found
+
+
+def _keep_hold(_: Any) -> None:
+    """Let go of nothing: what the owner's class lets go of when it is deleted is not its twin's."""
 
 
 def _read_late(twin: Any, attribute: str) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, Generic
 
 from tutorstudent.core.words.actions import ActionT, Group
@@ -13,8 +13,8 @@ Fractions = tuple[float, ...]
 """One distance for each group of the action's kind, in units of the group's scale; none where nothing moves."""
 FIELDS = ("decision", "outcome", "lesson", "limited_by", "void", "incidents")
 """What everybody may read of a turn."""
-Seal = tuple[object, ...]
-"""The very objects that an action holds."""
+Seal = tuple[type[Any], Callable[[dict[str, Any]], tuple[Any, ...]], tuple[Any, ...]]
+"""An action's class, how its fields are read, and the very objects that it holds."""
 
 
 class Turn(Generic[StateT, ActionT]):

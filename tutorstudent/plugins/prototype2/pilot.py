@@ -28,7 +28,7 @@ class Pilot(View):
         self.forget()
 
     def forget(self) -> None:
-        """Forget the episode."""
+        """Forget the trial."""
         self._last = self._forward
         self._side: DriveAction | None = None
         self._spun = 0
