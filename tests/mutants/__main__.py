@@ -31,7 +31,7 @@ FILES = [*(f"core/deciding/{name}.py" for name in DECIDING), *(f"core/words/{nam
 TESTS = [
     *("test_gate.py", "test_wrap_commands.py", "test_wrap.py", "test_wrap_objects.py"),
     *("test_limits.py", "test_rendering.py", "test_engine.py", "test_engine_failures.py", "test_engine_executed.py"),
-    "test_stops.py",
+    *("test_stops.py", "test_turn.py", "test_wrap_told.py", "test_engine_silent.py"),
 ]
 DEADLINE_S, SOAKED = 240, 4000
 
