@@ -91,6 +91,12 @@ def _wait(child: int) -> str:
     return "hung"
 
 
+def say(text: str) -> None:
+    """Print a line at once."""
+    sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run from the command line."""
     parser = argparse.ArgumentParser(description="See whether the tests notice faults in the deciding code.")
@@ -114,9 +120,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 found = try_out(package, file, mutant, original)
                 counts[found] += 1
                 if found != "killed":
-                    sys.stdout.write(f"{found}: {file}:{mutant.line} {mutant.what}\n")
-                    sys.stdout.flush()
-    sys.stdout.write(f"{counts}\n")
+                    say(f"{found}: {file}:{mutant.line} {mutant.what}")
+            say(f"up to {file}: {counts}")
     return 0
 
 
