@@ -33,7 +33,7 @@ TESTS = [
     *("test_limits.py", "test_rendering.py", "test_engine.py", "test_engine_failures.py", "test_engine_executed.py"),
     *("test_stops.py", "test_turn.py", "test_wrap_told.py", "test_engine_silent.py"),
 ]
-DEADLINE_S, SOAKED = 240, 4000
+DEADLINE_S, SOAKED = 90, 4000
 
 
 def find_tests() -> list[str]:
