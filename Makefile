@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check fix format lint types quick tests slow soak bench install hooks docs clean \
+.PHONY: help demo picture compare test check fix format lint types quick tests slow soak mutants bench install hooks docs clean \
 	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
@@ -121,8 +121,11 @@ slow: $(VENV)/.dev ## the tests that take minutes to hours each, which `make tes
 docs: $(VENV)/.dev ## the site, with warnings as errors, into docs/_build
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
 
-soak: $(VENV)/.dev ## a million random decisions with hostile parts: zero breaches of the behaviour contract
+soak: $(VENV)/.dev ## a million random decisions, hostile parts and command types: zero breaches of the behaviour contract
 	$(BIN)/python -m tests.soak --decisions 1000000 --seed 1
+
+mutants: $(VENV)/.dev ## faults put into the deciding code one by one: which do the tests not notice? hours
+	nice $(BIN)/python -m tests.mutants
 
 bench: $(VENV)/.dev ## CPU time per decision and ratios; writes docs/performance.md
 	$(BIN)/python -m tests.bench

@@ -52,7 +52,7 @@ UNDISPUTED = [
 
 
 def judged(make_loop: type[Broken]) -> Tally:
-    return run(5, 1500, chosen=UNDISPUTED, make_loop=make_loop, trial_length=40, mischief=0.3)
+    return run(5, 700, chosen=UNDISPUTED, make_loop=make_loop, trial_length=20, mischief=0.3)
 
 
 @pytest.mark.parametrize("name", BROKEN)

@@ -182,3 +182,25 @@ def test_where_the_class_refuses_the_amplified_action_the_tutors_own_executes(sa
     assert wrapped.step(None) is said
     assert wrapped.pending.resulting.level == 0
     assert len(wrapped.incidents) == 1
+
+
+class Sums(Action):
+    """A class that keeps a sum of its own: the second number follows the first."""
+
+    left: float = component(-1.0, 1.0)
+    both: float = component(-9.0, 9.0)
+    amplification: ClassVar[AmplificationMap] = {"command": {"left": "outward"}}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _add_up(cls, values: dict[str, Any]) -> dict[str, Any]:
+        return values | {"both": values["left"] * 2}
+
+
+def test_a_class_that_changes_what_is_not_amplified_is_refused() -> None:
+    said = Sums(left=0.25, both=0.5)
+    tutor = ScriptedTutor(act=lambda state: said)
+    tutor.action = Sums
+    wrapped = engine(len, level(3), tutor=tutor, limits=WIDE)
+    assert wrapped.step(None) is said
+    assert {("action", "mutated"): 1} == wrapped.incident_counts

@@ -156,6 +156,8 @@ class Trial:
             not refused and (honest_distances if not incidents else self._lawful and self.rules.law == "additive"),
         )
         self._note(judge(self.rules, self._last, words, claim), deeds)
+        if refused and (claim.resulting_level or executed is not words.itself):
+            self._note([Breach("fallback", f"a refused action is recorded at level {claim.resulting_level}")], deeds)
         blamed = [incident.part for incident in incidents if incident.part != self.rules.shape.refuses]
         self._note(list(answered(deeds, blamed)), deeds)
         self._lawful = claim.lawful

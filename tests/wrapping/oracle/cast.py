@@ -6,6 +6,7 @@ from random import Random
 from typing import Any
 
 import numpy as np
+from pydantic import BaseModel
 
 from tests.core.oracle.behaviours import BLAMED, EVALUATION, PROPAGATION
 from tests.core.oracle.cast import (
@@ -18,6 +19,7 @@ from tests.core.oracle.cast import (
 from tests.core.oracle.learner import Numbers, PlainKinds, PlainLevels, Plotted, PlottedStudent
 from tests.core.oracle.plot import Plot
 from tests.core.oracle.shapes import TINY
+from tests.wrapping.oracle.imprint import imprint
 from tests.wrapping.oracle.judge import Rules, Said, say
 from tests.wrapping.oracle.kits import KITS, SCALARS, Bounds, Kit
 from tests.wrapping.oracle.meddling import ACTS, HAND, OWN_CHANGED, SPOILS
@@ -58,10 +60,29 @@ class Controller:
         self.asked.append(state)
         if self.fails is not None:
             raise self.fails
-        if self.said is None or self._random.random() > 0.3:
-            self.said = say(self._rules.kit, draw(self._random, self._rules.kit, self._rules.bounds))
+        dice, kit = self._random.random(), self._rules.kit
+        if self.said is None or dice > 0.3:
+            self.said = say(kit, draw(self._random, kit, self._rules.bounds))
+        elif dice < 0.1:
+            self.said = say(kit, refill(self.said.itself, draw(self._random, kit, self._rules.bounds)))
         HAND.awake = HAND.works
         return self.said.itself
+
+
+def refill(buffer: Any, command: Any) -> Any:
+    """Return the buffer with what a command holds, as controllers reuse theirs; the command where it is no buffer."""
+    if isinstance(buffer, np.ndarray):
+        buffer[...] = command
+    elif isinstance(buffer, list):
+        buffer[:] = command
+    elif isinstance(buffer, dict):
+        dict.clear(buffer)
+        dict.update(buffer, command)
+    elif isinstance(buffer, BaseModel | tuple) or not hasattr(buffer, "__dict__"):
+        return command
+    else:
+        vars(buffer).update(vars(command))
+    return buffer
 
 
 class Hearing(Controller):
@@ -72,7 +93,7 @@ class Hearing(Controller):
         self.heard: list[Any] = []
 
     def executed(self, command: Any) -> None:
-        self.heard.append(command)
+        self.heard.append(imprint(command))
 
 
 class Shown(PlottedStudent):

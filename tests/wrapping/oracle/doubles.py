@@ -180,6 +180,27 @@ class Stubborn(Broken):
         return copy.deepcopy(received)
 
 
+class Misleading(Broken):
+    """Tells the controller that its own command was executed."""
+
+    def spoil(self, received: Any, own: Any) -> Any:
+        tutor: Any = self.engine.tutor
+        tutor.left = tutor.left[0], own
+        return received
+
+
+class Reusing(Broken):
+    """Writes into what it returned before."""
+
+    before: Any = None
+
+    def spoil(self, received: Any, own: Any) -> Any:
+        if isinstance(self.before, np.ndarray) and self.before is not own and self.before is not received:
+            self.before.flat[0] = self.before.flat[0] / 2 + 1
+        self.before = received
+        return received
+
+
 class Fragile(Broken):
     """Lets a part's exceptions through."""
 
@@ -206,5 +227,7 @@ BROKEN: dict[str, tuple[type[Broken], str]] = {
     "blames a part for nothing": (Paranoid, "false alarm"),
     "has no gate": (Ungated, "finite"),
     "returns a copy where the action was refused": (Stubborn, "fallback"),
+    "tells the controller something else": (Misleading, "heard"),
+    "writes into what was received before": (Reusing, "given"),
     "lets exceptions through": (Fragile, "loop"),
 }

@@ -101,7 +101,8 @@ def measure(rules: Rules, said: Said, received: Any, strict: bool) -> Measured |
     before, after = rules.kit.read(said.itself), rules.kit.read(received)
     own = Fraction(rules.kit.grain)
     grain = tuple(max(_grain(old), _grain(new)) + own for old, new in zip(before, after, strict=True))
-    return Measured(numbers, travelled, size, largest / 2**50 + TINIEST, grain)
+    slack = largest / 2**50 + TINIEST * (1 + Fraction(rules.bounds.scale))  # faint numbers are coarse in units of scale
+    return Measured(numbers, travelled, size, slack, grain)
 
 
 def _form(kit: Kit, said: Said, received: Any, strict: bool) -> Iterator[Breach]:

@@ -91,7 +91,9 @@ SEQUENCES = [
     sequence("mixed", lambda v: [v[0], np.float32(v[1]), Decimal(v[2])]),
     sequence("whole numbers", lambda v: [int(v[0]), v[1], v[2]], fixed=False),
     sequence("Pair", lambda v: own.Pair(*v), 2)._replace(skipped=(("turn",), ("speed",))),
-    *(array(dtype) for dtype in ("float16", "float32", "float64", ">f4", "int32")),
+    *(array(dtype) for dtype in ("float16", "float32", "float64", "longdouble", ">f4", "int32", "uint8")),
+    Kit("array without axes", 1, lambda v: np.array(v[0]), lambda c: [c[()]], {}),
+    sequence("list of one", list, 1),
     array("float64", (2, 2)),
     array("float32", (2, 2), "F"),
     array("float32", (1, 3)),
@@ -129,6 +131,7 @@ SUBTLE = [
     named(
         "properties in objects", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1, 0.2, v[1])), "linear.x", "angular.z"
     )._replace(skipped=(("linear", "_x"), ("angular", "z"))),
+    named("slotted property", lambda v: own.Lean(v[0]), "speed")._replace(skipped=(("_speed",),)),
     named("a property in an object", lambda v: own.Twist(own.Axes(v[0]), own.Axes(0.1)), "linear.x")._replace(
         skipped=(("linear", "_x"),)
     ),

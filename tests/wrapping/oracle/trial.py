@@ -77,6 +77,8 @@ class Trial:
             self.controller, action=action, factor=rules.factor, slew=rules.slew, limits=limits, seed=seed, **parts
         )
         self._levels, self._lawful, self._received = Levels(), True, None
+        self._given: tuple[Any, Any] = None, imprint(None)
+        """The last command that was written for the owner, and what it said."""
         self._counts: Counter[tuple[str, str]] = Counter()
         self._counted: Any = None
 
@@ -125,12 +127,14 @@ class Trial:
             found.append(Breach("asked", f"the controller was asked {len(controller.asked) - asked} times"))
         elif controller.asked[-1] is not state:
             found.append(Breach("state", "the controller was asked with another object"))
+        if imprint(self._given[0]) != self._given[1]:
+            found.append(Breach("given", "a command that the owner has received before was changed"))
         if imprint(state) != before:
             found.append(Breach("state", "the owner's state was changed"))
         if isinstance(controller, Hearing) and controller.heard:
             heard = controller.heard.pop()
-            if self._received is not None and imprint(heard) != self._received:
-                found.append(Breach("heard", f"{heard!r} is not what was executed"))
+            if self._received is not None and heard != self._received:
+                found.append(Breach("heard", f"{heard} is not what was executed"))
         return found
 
     def _judge(self, received: Any, said: Said, deeds: list[Deed], blamed: list[str]) -> None:
@@ -160,6 +164,7 @@ class Trial:
         self._tally.clean += not blamed
         self._tally.amplified += got.travelled > 0
         self._received = imprint(received)
+        self._given = (None, imprint(None)) if own else (received, self._received)
 
     def _count(self) -> None:
         """Count the decision that is over, and how it went on."""

@@ -167,6 +167,23 @@ class Slotted:
         self.speed, self.turn = speed, turn
 
 
+class Lean:
+    """An object whose number is a property over a slot."""
+
+    __slots__ = ("_speed", "note")
+
+    def __init__(self, speed: Any) -> None:
+        self._speed, self.note = speed, "lean"
+
+    @property
+    def speed(self) -> Any:
+        return self._speed
+
+    @speed.setter
+    def speed(self, value: Any) -> None:
+        self._speed = HAND.number(value)
+
+
 class Message:
     """A command that only functions can read and write."""
 
