@@ -351,3 +351,53 @@ def test_a_tuple_that_is_made_as_another_type_is_replaced_by_the_controllers_own
     received, loop = commands(lambda _: own, ts.vector(-1, 1, 2))
     assert all(found is own for found in received)
     assert {("action", "mutated"): 4} == loop.engine.incident_counts
+
+
+class DoublesBeyond(ts.Action):
+    """A validator that doubles the amplified component beyond 0.4."""
+
+    speed: float = ts.component(-2.0, 2.0)
+    amplification = {"command": {"speed": "outward"}}
+
+    @field_validator("speed")
+    @classmethod
+    def _double(cls, value: float) -> float:
+        return value if value <= 0.4 else 2 * value
+
+
+def test_an_action_class_that_changes_the_amplified_component_is_replaced_by_the_controllers_own() -> None:
+    own = DoublesBeyond(speed=0.4)
+    received, loop = commands(lambda _: own, DoublesBeyond)
+    assert all(found is own for found in received)
+    assert {("action", "mutated"): 4} == loop.engine.incident_counts
+
+
+def test_an_emergency_action_that_is_written_as_something_else_does_not_leave() -> None:
+    def pid(y: float) -> float:
+        if y:
+            raise RuntimeError("sensor")
+        return 0.4
+
+    written: list[float] = []
+
+    def write(_: Any, value: float) -> float:
+        written.append(value)
+        return value if len(written) == 1 else float("nan")
+
+    action = ts.scalar(-1, 1, read=float, write=write)
+    loop = ts.wrap(pid, action=action, on_tutor_failure={"kind": "command", "value": 0.1}, student="silent")
+    assert 0.4 == loop.step(0)
+    with pytest.raises(ts.ContractError, match="on_tutor_failure: the action cannot be written: .* says value = nan"):
+        loop.step(1)
+
+
+def test_the_first_look_at_a_command_leaves_it_as_it_was() -> None:
+    own = SimpleNamespace(speed=0.4, mode="eco")
+
+    def write(command: Any, speed: float) -> Any:
+        command.mode = "sport"
+        return SimpleNamespace(speed=speed, mode="eco")
+
+    loop = ts.wrap(lambda _: own, action=ts.scalar(-1, 1, read=lambda c: c.speed, write=write), student="silent")
+    assert loop.step(0.0) is own
+    assert "eco" == own.mode

@@ -141,4 +141,4 @@ def test_an_action_class_that_changes_an_undeclared_component_when_it_is_made_ag
     for state in range(3):
         assert wrapped.step(state) is own
     assert {("action", "mutated"): 3} == wrapped.incident_counts
-    assert "changed 'heading', which is not amplified" in wrapped.incidents[0].message
+    assert "gave 'heading' another value" in wrapped.incidents[0].message

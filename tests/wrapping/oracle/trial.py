@@ -76,6 +76,7 @@ class Trial:
         self.loop = make_loop(
             self.controller, action=action, factor=rules.factor, slew=rules.slew, limits=limits, seed=seed, **parts
         )
+        plot.take()  # the change is asked at assembly too, which is no decision
         self._levels, self._lawful, self._received = Levels(), True, None
         self._given: tuple[Any, Any] = None, imprint(None)
         """The last command that was written for the owner, and what it said."""

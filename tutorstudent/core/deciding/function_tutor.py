@@ -78,7 +78,7 @@ class FunctionTutor(Tutor[Any, Any]):
         backup = None if type(self.command) in PLAIN else Backup(self.command)
         try:
             command = action.write(self.command)
-            executed = check_written(self.said, action, command, self.command) if self.said else None
+            executed = check_written(self.said or action, action, command, self.command)
         except BaseException as error:
             if backup is None or not backup.restore() or is_owners(error):
                 raise
@@ -90,6 +90,7 @@ class FunctionTutor(Tutor[Any, Any]):
     def _try_to_write(self, said: Action, command: Any) -> None:
         # A command that cannot be written is told at once, not when it is amplified for the first time.
         if isinstance(said, Command) and said is not command:
+            backup = Backup(command)
             try:
                 said.write(command)
             except Exception as error:
@@ -97,6 +98,8 @@ class FunctionTutor(Tutor[Any, Any]):
                     f"the controller's command is {quote(command)}: a copy with other numbers cannot be made: "
                     f"{type(error).__name__}: {error}. Give read= and write= to ts.scalar() or ts.vector()."
                 ) from error
+            finally:
+                backup.restore()
         self._writable = True
 
 

@@ -35,11 +35,12 @@ def check_written(own: Any, meant: Any, written: Any, command: Any) -> Command |
     asked, found = [meant.__dict__[name] for name in names], form.read(written)
     if found == asked and type(command) in PLAIN:  # the usual case: a number that nobody can have changed
         return None
-    said = [own.__dict__[name] for name in names]
-    _check_between(own, said, asked, found)
+    is_meant = found == form.fit(asked, command)
+    if not is_meant:
+        _check_between(own, [own.__dict__[name] for name in names], asked, found)
     if (elsewhere := form.compare_rest(command, written)) is not None:
         raise Breach("mutated", f"writing the amplified command changed {elsewhere}, which is not declared.")
-    if found == form.fit(asked, command):
+    if is_meant:
         return None
     found_action: Command = type(own).model_validate(dict(zip(names, found, strict=True)))
     return found_action

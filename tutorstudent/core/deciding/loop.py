@@ -8,10 +8,10 @@ from typing import Any
 
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.function_tutor import FunctionTutor
-from tutorstudent.core.deciding.guard import is_owners
-from tutorstudent.core.deciding.watching import ENOUGH, Notice, Watch, find_assembly_notices
+from tutorstudent.core.deciding.guard import Breach, is_owners
+from tutorstudent.core.deciding.watching import ENOUGH, Notice, Watch
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import TutorStudentWarning
+from tutorstudent.core.words.errors import ContractError, TutorStudentWarning
 from tutorstudent.core.words.snapshots import PLAIN, Snapshot
 
 
@@ -30,11 +30,11 @@ class Loop:
         self._counts = engine.incident_counts
         self._told: set[tuple[str, str]] = set()
         self._tutor = engine.tutor if isinstance(engine.tutor, FunctionTutor) else None
-        self._watch: Watch | None = Watch(engine)
+        watch = Watch(engine)
+        self._watch: Watch | None = watch
         self._seen = engine.last
-        at_assembly = find_assembly_notices(engine)
-        self._noticed = {notice.kind for notice in at_assembly}
-        for notice in at_assembly:
+        self._noticed = {notice.kind for notice in watch.at_assembly}
+        for notice in watch.at_assembly:
             self._point_out(notice)
 
     def step(self, state: Any) -> Any:
@@ -63,7 +63,9 @@ class Loop:
                 self.engine.executed(executed)
             tutor.left = executed or action, command
         except BaseException as error:
-            if tutor.said is None or is_owners(error):  # the controller failed: its last command is an old one
+            if tutor.said is None and type(error) is Breach:  # the controller failed: its last command is an old one
+                raise ContractError(f"on_tutor_failure: the action cannot be written: {error}") from error
+            if tutor.said is None or is_owners(error):
                 raise
             tutor.left = tutor.said, tutor.command
             self.engine.refused(error)

@@ -80,10 +80,11 @@ def _make(original: ActionT, changed: dict[str, float]) -> ActionT:
     made = rebuild(original, changed)
     own, new = original.__dict__, made.__dict__
     for name in original.vocabulary.fields:
-        if own[name] is not new[name] and name not in changed and not is_same(own[name], new[name]):
+        expected = changed.get(name, own[name])
+        if expected is not new[name] and not is_same(expected, new[name]):
             raise Breach(
                 "mutated",
-                f"making the amplified {type(original).__name__} changed '{name}', which is not amplified; the class "
-                "must leave values alone that are sound.",
+                f"making the amplified {type(original).__name__} gave '{name}' another value than the one that was "
+                "decided; the class must leave values alone that are sound.",
             )
     return made

@@ -40,6 +40,8 @@ class Watch:
 
     def __init__(self, engine: Engine[Any, Any, Any]) -> None:
         self._engine = engine
+        self.at_assembly = find_assembly_notices(engine)
+        """What is wrong whatever the decisions will be; parts are asked here, and never while decisions go on."""
         self.decisions = 0
         self._levels = self._moved = self._named = self._matched = 0
         self._failed: Counter[str] = Counter()
@@ -67,9 +69,8 @@ class Watch:
 
     def find_notices(self) -> list[Notice]:
         """Return what is wrong, as far as it can be told by now; nothing where all is well."""
-        at_assembly = find_assembly_notices(self._engine)
-        kinds = {notice.kind for notice in at_assembly}
-        found = [*at_assembly]
+        kinds = {notice.kind for notice in self.at_assembly}
+        found = [*self.at_assembly]
         for notice in self._find_seen():
             if notice.kind not in kinds:
                 kinds.add(notice.kind)
