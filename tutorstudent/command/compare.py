@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, NamedTuple
 
@@ -60,7 +61,11 @@ def compare(
     except KeyboardInterrupt:
         typer.echo(f"interrupted; go on with: {make_resume_command(out)}", err=True)
         raise typer.Exit(INTERRUPTED) from None
-    show(study)
+    except SystemExit:
+        typer.echo(f"ended from outside; go on with: {make_resume_command(out)}", err=True)
+        raise
+    with suppress(BrokenPipeError, SystemExit):  # rich's word for it: nobody reads it; the page is written
+        show(study)
     if study.failures:
         typer.echo(f"What failed is run again by: {make_resume_command(out)}", err=True)
         raise typer.Exit(1)

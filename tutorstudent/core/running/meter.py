@@ -11,7 +11,7 @@ from typing import Any
 
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import TALLIED, Begin, Observer, Tally
-from tutorstudent.core.words.errors import ContractError, list_names, suggest
+from tutorstudent.core.words.errors import ContractError, TutorStudentError, list_names, say_error, suggest
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import require_number
 from tutorstudent.core.words.turn import Turn
@@ -79,7 +79,7 @@ class Meter:
     """
 
     def __init__(self, observers: Sequence[Observer]) -> None:
-        self._observers = tuple(observers)
+        self.observers = tuple(observers)
         self.measures: list[Measure] = []
         """What the observers measure, by the names that stand in the summary; known once they have begun."""
 
@@ -87,7 +87,7 @@ class Meter:
         """Begin all observers."""
         taken = {*Tally().summary(), *(measure.name for measure in TALLIED), *begin.world.event_names}
         self.measures, self._names = [], []
-        for observer in self._observers:
+        for observer in self.observers:
             observer.begin(begin)
             names: dict[str, str] = {}
             for measure in observer.measures:
@@ -104,8 +104,8 @@ class Meter:
             ContractError: if an observer returns what it does not declare, or what is no number.
         """
         found: dict[str, float] = {}
-        for observer, names in zip(self._observers, self._names, strict=True):
-            values = observer.observe(turn, step)
+        for observer, names in zip(self.observers, self._names, strict=True):
+            values = _ask(observer, turn, step)
             if values:
                 found |= _check(observer, values, names)
         self._totals.add(found)
@@ -117,7 +117,7 @@ class Meter:
         What an observer says of a measure of its own stands for the sum.
         """
         found = self._totals.summary()
-        for observer, names in zip(self._observers, self._names, strict=True):
+        for observer, names in zip(self.observers, self._names, strict=True):
             mine = {key: _make_number(value) for key, value in observer.summary().items()}
             found |= {names.get(key) or find_free_key(key, found): value for key, value in mine.items()}
         return found
@@ -131,6 +131,15 @@ def find_free_key(key: str, taken: Container[str]) -> str:
     """
     numbered = (f"{key}#{number}" for number in count(2))
     return next(name for name in chain([key], numbered) if name not in taken)
+
+
+def _ask(observer: Observer, turn: Turn[Any, Any], step: Step[Any]) -> Mapping[str, float] | None:
+    try:
+        return observer.observe(turn, step)
+    except TutorStudentError:
+        raise
+    except Exception as error:
+        raise ContractError(f"observer '{observer.name}': observe() raised {say_error(error)}") from error
 
 
 def _check(observer: Observer, values: Any, names: Mapping[str, str]) -> dict[str, float]:

@@ -94,6 +94,20 @@ def quote(value: object) -> str:
     return text if len(text) <= 100 else f"{text[:97]}..."
 
 
+def say_error(error: BaseException) -> str:
+    r"""Return what an exception is and says, as one line that ends a sentence; however it behaves when it is asked.
+
+    >>> say_error(ValueError("no\nroom.")), say_error(KeyError())
+    ('ValueError: no room.', 'KeyError.')
+    """
+    name = type(error).__name__
+    try:
+        said = " ".join(str(error).split()).rstrip(".")
+    except Exception:
+        said = "its message cannot be read"
+    return f"{name}: {said}." if said else f"{name}."
+
+
 def with_article(word: str) -> str:
     """Return a word with its article.
 

@@ -81,7 +81,16 @@ def _start_loky(_: str, workers: int) -> Iterator[Any]:
     try:
         yield parallel
     except BrokenProcessPool as error:
-        raise WorkersLost(f"a worker process died, and unfinished jobs with it ({type(error).__name__}).") from error
+        raise WorkersLost(f"a worker process died, and its run with it ({type(error).__name__}).") from error
+    except (KeyboardInterrupt, SystemExit, GeneratorExit):
+        _end_workers()
+        raise
+
+
+def _end_workers() -> None:
+    from joblib.externals.loky import get_reusable_executor
+
+    get_reusable_executor().shutdown(wait=False, kill_workers=True)
 
 
 @contextmanager

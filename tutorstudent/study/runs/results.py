@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from tutorstudent.core.files.journal import DECISIONS, RECORD, is_complete, load_record
 from tutorstudent.core.running.arrays import Arrays, load_arrays
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.measures import Measure
@@ -20,8 +21,6 @@ from tutorstudent.study.plans.plan import Job, Plan
 from tutorstudent.study.runs.jobs import ERROR
 from tutorstudent.study.runs.timing import TIMING, Spent, load_timing, read_sittings
 
-RECORD = "run.json"
-DECISIONS = "decisions.npz"
 AGAIN = "go on with 'compare --resume' to run it again."
 DAMAGES = (
     OSError,
@@ -124,6 +123,10 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
     own = folder / job.folder
     if not (own / RECORD).exists():
         return Failure(job.environment, job.variant, job.seed, _find_problem(own))
+    record = load_record(own)
+    if not is_complete(record):
+        problem = _find_problem(own) or str(record.get("problem", "")) or AGAIN
+        return Failure(job.environment, job.variant, job.seed, problem)
     try:
         summary, measures = _read_record(own)
         _check_decisions(own / DECISIONS)

@@ -1,0 +1,85 @@
+"""What came out of a run, whether it is complete or not."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+from typing import Any, NamedTuple
+
+from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.deciding.guard import is_owners
+from tutorstudent.core.files.pipeline import Built
+from tutorstudent.core.running.arrays import Arrays
+from tutorstudent.core.running.whereabouts import DECIDE, Whereabouts
+from tutorstudent.core.words.errors import TutorStudentError, say_error
+from tutorstudent.core.words.measures import Measure
+
+
+class Failure(NamedTuple):
+    """What ended a run before its last decision."""
+
+    error: BaseException
+    problem: str
+    """A sentence with the decision and who is to blame."""
+
+    @classmethod
+    def explain(cls, error: BaseException, built: Built, at: Whereabouts) -> Failure:
+        """Return an exception of the loop with its sentence."""
+        names = name_parts(built)
+        who = names["tutor"] if at.place == DECIDE else at.describe(names)  # what all others raise is an incident
+        if is_owners(error):
+            said = "interrupted" if isinstance(error, KeyboardInterrupt) else "ended from outside"
+        elif isinstance(error, TutorStudentError):
+            said = str(error)
+        else:
+            said = f"{who} raised {say_error(error)}"
+        before = f"decision {at.decision}: "
+        return cls(error, said if said.startswith(before) else f"{before}{said}")
+
+    @property
+    def is_owners(self) -> bool:
+        """Whether it is a stop from outside."""
+        return is_owners(self.error)
+
+
+def name_parts(built: Built) -> dict[str, str]:
+    """Return world and tutor as messages call them."""
+    return {"world": f"world '{built.world.name}'", "tutor": f"tutor '{built.engine.tutor.name}'"}
+
+
+class Finished(NamedTuple):
+    """What came out of a run."""
+
+    engine: Engine[Any, Any, Any]
+    resolved: dict[str, Any]
+    """The pipeline with every option written out."""
+    plugins: dict[str, str]
+    """The distribution that each part comes from, by role and name."""
+    summary: dict[str, float]
+    """What the observers counted; NaN for what is no number."""
+    decisions: Arrays
+    measures: tuple[Measure, ...] = ()
+    """What the world, the observers and every run declare."""
+    failure: Failure | None = None
+    """What ended it too early; the decisions are those before."""
+    notes: tuple[str, ...] = ()
+    """What went wrong after the last decision."""
+
+
+def make_record(finished: Finished, versions: dict[str, str]) -> dict[str, Any]:
+    """Return what ``run.json`` says of a run."""
+    engine, failure = finished.engine, finished.failure
+    lacking = (
+        {} if failure is None else {"problem": failure.problem, "decided": len(finished.decisions.get("kind", ()))}
+    )
+    return lacking | {
+        "complete": failure is None,
+        "versions": versions,
+        "plugins": finished.plugins,
+        "seed": finished.resolved["seed"],
+        "decisions": finished.resolved["decisions"],
+        "summary": {key: value if math.isfinite(value) else None for key, value in finished.summary.items()},
+        "measures": [asdict(measure) for measure in finished.measures],
+        "incident_counts": {f"{part}: {kind}": count for (part, kind), count in sorted(engine.incident_counts.items())},
+        "newest_incidents": [incident._asdict() for incident in engine.incidents],
+    }
