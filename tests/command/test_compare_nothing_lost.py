@@ -26,7 +26,7 @@ def set_up(place: Path, world: str) -> None:
 
 def compare(place: Path, *words: str) -> tuple[int, str]:
     process = begin(place, *WORDS, *words)
-    _, said = process.communicate(timeout=300)
+    _, said = process.communicate(timeout=60)
     return process.returncode, " ".join(said.split())
 
 
@@ -41,7 +41,7 @@ def test_a_world_that_ends_the_program_is_a_failed_run_and_no_success(place: Pat
     assert 1 == status, said
     assert 2 == said.count("decision 1234: world 'broken': step() raised SystemExit: 0.")
     assert [(False, 1234)] * 2 == records(place / "out")
-    assert (place / "out" / "index.html").exists()
+    assert (place / "out" / "report.html").exists()
 
 
 @pytest.mark.parametrize("how", ["exit", "crash"])
@@ -51,7 +51,7 @@ def test_a_world_that_ends_its_process_fails_by_itself(place: Path, how: str) ->
     assert 1 == status, said
     assert "a worker process died, and its run with it" in said
     assert sorted(records(place / "out"))[0] == (False, 1000)
-    assert (place / "out" / "index.html").exists()
+    assert (place / "out" / "report.html").exists()
 
 
 def test_a_world_that_ends_the_only_process_is_told(place: Path) -> None:

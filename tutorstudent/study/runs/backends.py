@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
@@ -83,14 +84,17 @@ def _start_loky(_: str, workers: int) -> Iterator[Any]:
     except BrokenProcessPool as error:
         raise WorkersLost(f"a worker process died, and its run with it ({type(error).__name__}).") from error
     except (KeyboardInterrupt, SystemExit, GeneratorExit):
-        _end_workers()
+        end_workers()
         raise
 
 
-def _end_workers() -> None:
-    from joblib.externals.loky import get_reusable_executor
+def end_workers() -> None:
+    """End the processes that loky keeps for the next jobs, if there are any."""
+    if "joblib" in sys.modules:
+        from joblib.externals.loky import reusable_executor
 
-    get_reusable_executor().shutdown(wait=False, kill_workers=True)
+        if reusable_executor._executor is not None:
+            reusable_executor._executor.shutdown(wait=True, kill_workers=True)
 
 
 @contextmanager
