@@ -241,7 +241,8 @@ def test_what_a_killed_process_left_is_kept_when_the_folder_is_used_again(place:
 
 def test_a_closed_standard_output_is_no_crash(place: Path) -> None:
     process = begin(place, "run", "p.yaml", "--out", "out", "--set", "decisions=5")
-    assert process.stdout is not None and process.stderr is not None
+    assert process.stdout is not None
+    assert process.stderr is not None
     process.stdout.close()
     said = leave_out_progress(process.stderr.read())
     process.stderr.close()

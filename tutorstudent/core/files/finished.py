@@ -6,12 +6,14 @@ import math
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
+from pydantic import ValidationError
+
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.guard import is_owners
 from tutorstudent.core.files.pipeline import Built
 from tutorstudent.core.running.arrays import Arrays
 from tutorstudent.core.running.whereabouts import DECIDE, Whereabouts
-from tutorstudent.core.words.errors import TutorStudentError, say_error
+from tutorstudent.core.words.errors import TutorStudentError, quote, say_error
 from tutorstudent.core.words.measures import Measure
 
 
@@ -32,7 +34,7 @@ class Failure(NamedTuple):
         elif isinstance(error, TutorStudentError):
             said = str(error)
         else:
-            said = f"{who} raised {say_error(error)}"
+            said = f"{who} {_say_unsound(error) or f'raised {say_error(error)}'}"
         before = f"decision {at.decision}: "
         return cls(error, said if said.startswith(before) else f"{before}{said}")
 
@@ -40,6 +42,20 @@ class Failure(NamedTuple):
     def is_owners(self) -> bool:
         """Whether it is a stop from outside."""
         return is_owners(self.error)
+
+
+def _say_unsound(error: BaseException) -> str:
+    """Return what is wrong with an action that could not be made; nothing for any other error."""
+    if isinstance(error, ValidationError):
+        first = error.errors(include_url=False)[0]
+        name, said = ".".join(map(str, first["loc"])), f"{first['msg'][:1].lower()}{first['msg'][1:]}"
+        return (
+            f"made no {error.title}: '{name}' is {quote(first['input'])}; {said}. Clip it, or widen the bounds of the "
+            "action class."
+        )
+    if isinstance(error, TypeError) and "BaseModel.__init__() takes 1 positional argument" in str(error):
+        return "made an action without the names of its components; write them, as in Force(value=0.5)."
+    return ""
 
 
 def name_parts(built: Built) -> dict[str, str]:

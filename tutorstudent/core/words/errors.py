@@ -65,7 +65,8 @@ def suggest(word: str, known: Iterable[str]) -> str:
     >>> suggest("qqq", ["hidden"])
     ''
     """
-    near = difflib.get_close_matches(word, list(known), n=1)
+    by_letters = {name.lower(): name for name in known}
+    near = [by_letters[name] for name in difflib.get_close_matches(word.lower(), list(by_letters), n=1)]
     return f" (did you mean '{near[0]}'?)" if near else ""
 
 

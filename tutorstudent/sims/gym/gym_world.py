@@ -78,7 +78,9 @@ class GymnasiumWorld(World[GymState, Action]):
         if type(action) is not self._fits:
             self._check(type(action))
         values = make_box_values(action, self._env.action_space)
-        with self._blame(f"step() {self._count} of a trial", "return (observation, reward, terminated, truncated, info)"):
+        with self._blame(
+            f"step() {self._count} of a trial", "return (observation, reward, terminated, truncated, info)"
+        ):
             observation, reward, terminated, truncated, info = self._env.step(values)
             state = GymState(
                 take_snapshot(observation), make_reward(reward), bool(terminated), bool(truncated), make_info(info)
