@@ -12,7 +12,8 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.guard import is_owners
 from tutorstudent.core.files.pipeline import Built
 from tutorstudent.core.running.arrays import Arrays
-from tutorstudent.core.running.whereabouts import DECIDE, Whereabouts
+from tutorstudent.core.running.observers import Observer
+from tutorstudent.core.running.whereabouts import DECIDE, OBSERVE, Whereabouts
 from tutorstudent.core.words.errors import TutorStudentError, quote, say_error
 from tutorstudent.core.words.measures import Measure
 
@@ -29,6 +30,8 @@ class Failure(NamedTuple):
         """Return an exception of the loop with its sentence."""
         names = name_parts(built)
         who = names["tutor"] if at.place == DECIDE else at.describe(names)  # what all others raise is an incident
+        if at.place == OBSERVE:
+            who = _find_observer(error) or who
         if is_owners(error):
             said = "interrupted" if isinstance(error, KeyboardInterrupt) else "ended from outside"
         elif isinstance(error, TutorStudentError):
@@ -42,6 +45,17 @@ class Failure(NamedTuple):
     def is_owners(self) -> bool:
         """Whether it is a stop from outside."""
         return is_owners(self.error)
+
+
+def _find_observer(error: BaseException) -> str:
+    """Return the innermost observer that an exception went through."""
+    found, trace = "", error.__traceback__
+    while trace is not None:
+        owner = trace.tb_frame.f_locals.get("self")
+        if isinstance(owner, Observer):
+            found = f"observer '{owner.name}': {trace.tb_frame.f_code.co_name}()"
+        trace = trace.tb_next
+    return found
 
 
 def _say_unsound(error: BaseException) -> str:

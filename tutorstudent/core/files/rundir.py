@@ -10,10 +10,8 @@
 
 from __future__ import annotations
 
-import platform
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from importlib import metadata
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -25,9 +23,8 @@ from tutorstudent.core.files.durable import write_whole
 from tutorstudent.core.files.finished import Failure, Finished, make_record, name_parts
 from tutorstudent.core.files.journal import CUT_SHORT, DECISIONS, RECORD, Journal, remove_blocks, save_record
 from tutorstudent.core.files.pipeline import Built, Pipeline, describe
-from tutorstudent.core.files.registry import Registry
+from tutorstudent.core.files.provenance import find_providers, find_versions
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.roles.part import Component
 from tutorstudent.core.running.arrays import flatten, save_arrays
 from tutorstudent.core.running.meter import Meter, WorldEvents
 from tutorstudent.core.running.observers import Observer, Tally, make_tally_measures
@@ -35,8 +32,6 @@ from tutorstudent.core.running.recorder import Recorder
 from tutorstudent.core.running.runner import run_loop
 from tutorstudent.core.running.whereabouts import BEGIN, CLOSE, OWN, SAVE, Whereabouts
 from tutorstudent.core.words.errors import PipelineError, say_error
-
-PACKAGES = ("tutorstudent", "numpy", "pydantic", "pluggy", "pybullet", "scikit-learn")
 
 
 def run_pipeline(pipeline: Pipeline, observers: Sequence[Observer] = ()) -> Finished:
@@ -227,28 +222,3 @@ def explain_write_errors(path: Path) -> Iterator[None]:
     except OSError as error:
         reason = error.strerror or str(error)
         raise PipelineError(f"{path}: cannot be written: {reason}. Name a directory that you may write to.") from None
-
-
-def find_providers(built: Built, registry: Registry) -> dict[str, str]:
-    """Return the distribution of every part, by role and name, as in ``tutor prototype2``."""
-    known = {installed.cls: installed.distribution for installed in registry}
-    engine = [part for _, part in built.engine.slots()]
-    used = {type(part) for part in _walk_parts([*engine, built.world, *built.observers])}
-    return {f"{cls.role} {cls.name}": known[cls] for cls in used if cls in known}
-
-
-def _walk_parts(parts: Iterable[Component]) -> Iterator[Component]:
-    for part in parts:
-        yield part
-        yield from _walk_parts(nested for _, nested in part.parts())
-
-
-def find_versions() -> dict[str, str]:
-    """Return the versions that a result depends on."""
-    found = {"python": platform.python_version(), "machine": platform.machine()}
-    for package in PACKAGES:
-        try:
-            found[package] = metadata.version(package)
-        except metadata.PackageNotFoundError:
-            found[package] = "not installed"
-    return found

@@ -175,8 +175,8 @@ REMEDIES = (
     Remedy(
         "mapping values are not allowed",
         False,
-        "a ':' is not expected here; check the indentation, look for a missing ':' in the line above, or quote the "
-        "value.",
+        "a ':' is not expected here; is this line indented further than the line above? Check the indentation, look "
+        "for a missing ':' in the line above, or quote the value.",
     ),
     Remedy("expected <block end>", False, "this is not indented like what it belongs to{begin}."),
     Remedy("undefined alias", False, "{problem}; quote a value that begins with '*'."),

@@ -11,7 +11,7 @@ from typing import Any
 
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.observers import TALLIED, Begin, Observer, Tally
-from tutorstudent.core.words.errors import ContractError, TutorStudentError, list_names, say_error, suggest
+from tutorstudent.core.words.errors import ContractError, list_names, suggest
 from tutorstudent.core.words.measures import Measure
 from tutorstudent.core.words.proposals import require_number
 from tutorstudent.core.words.turn import Turn
@@ -105,7 +105,7 @@ class Meter:
         """
         found: dict[str, float] = {}
         for observer, names in zip(self.observers, self._names, strict=True):
-            values = _ask(observer, turn, step)
+            values = observer.observe(turn, step)
             if values:
                 found |= _check(observer, values, names)
         self._totals.add(found)
@@ -131,15 +131,6 @@ def find_free_key(key: str, taken: Container[str]) -> str:
     """
     numbered = (f"{key}#{number}" for number in count(2))
     return next(name for name in chain([key], numbered) if name not in taken)
-
-
-def _ask(observer: Observer, turn: Turn[Any, Any], step: Step[Any]) -> Mapping[str, float] | None:
-    try:
-        return observer.observe(turn, step)
-    except TutorStudentError:
-        raise
-    except Exception as error:
-        raise ContractError(f"observer '{observer.name}': observe() raised {say_error(error)}") from error
 
 
 def _check(observer: Observer, values: Any, names: Mapping[str, str]) -> dict[str, float]:

@@ -137,8 +137,12 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
-    """Return the jobs that have no complete run below a folder, in their order."""
-    return [job for job in jobs if isinstance(read_run(folder, job), Failure)]
+    """Return the jobs that have no complete run below a folder, in their order; those that failed come last.
+
+    So a run that ends the whole study whenever it is run does not keep the others from being run.
+    """
+    found = [(run, job) for job in jobs if isinstance(run := read_run(folder, job), Failure)]
+    return [job for _, job in sorted(found, key=lambda pair: bool(pair[0].problem))]
 
 
 def write_csv(path: Path, runs: Sequence[Run]) -> None:
