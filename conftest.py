@@ -20,7 +20,7 @@ TAKES_LONG = {
         (_posixsubprocess, "fork_exec"),
         (pytest, "main"),
     ],
-    "study": [(jobs, "run_pipeline")],
+    "study": [(jobs, "keep_run")],
 }
 """What a test calls, at some depth, that has to have the marker."""
 

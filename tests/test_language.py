@@ -46,7 +46,7 @@ OF_ACTIONS = re.compile(
     r"moves a component|the component's scale|components of two actions|a component is a number of an action"
     r"|an amplified component|components that are never amplified|the tutor's components|a component ranges over"
     r"|each component in the action class|components and their direction|cannot name a component"
-    r"|\{\{?components: \{|no such component of an action",
+    r"|without the names of its components|\{\{?components: \{|no such component of an action",
     re.IGNORECASE,
 )
 """What is said of the components of an action, in folders that are about parts."""

@@ -12,7 +12,7 @@ from pathlib import Path
 from tests.bench.clock import REPETITIONS, Timing, interleaved
 from tests.bench.parts import parts_work
 from tests.bench.worlds import alone, closed_loop_work
-from tutorstudent.core.files.rundir import find_versions
+from tutorstudent.core.files.provenance import find_versions
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "performance.md"

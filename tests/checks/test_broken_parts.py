@@ -112,7 +112,7 @@ class Waiver(copied(Stove)):
     waived_checks = {"no_such_check": "it is tired"}
 
 
-@breaks("works", "RuntimeError: not today, when it was bound (setup)")
+@breaks("works", "setup() raised RuntimeError: not today., when it was bound (setup)")
 class NoSetup(copied(Stove)):
     """Cannot be bound."""
 

@@ -68,7 +68,10 @@ def test_a_run_that_fails_is_named_and_the_exit_code_is_1(files: dict[str, Path]
     result = call(files["full"], "--runs", 2, "--seed", 4, "--out", tmp_path / "out", "--set", setting, "--no-controls")
     assert 1 == result.exit_code
     told = " ".join(result.output.split())
-    assert "failed: short, full, seed 5: RuntimeError: the wall fell down" in told
+    assert (
+        "failed: short, full, seed 5: decision 0: world 'corridor': reset() raised RuntimeError: the wall fell down."
+        in told
+    )
     assert "1 runs, 1 failed." in told
     assert "What failed is run again by: tutorstudent compare --resume --out " in told
 

@@ -222,7 +222,7 @@ def test_every_command_has_help(words: list[str]) -> None:
 
 
 @pytest.mark.parametrize("earlier", [False, True])
-def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
+def test_a_run_that_is_interrupted_before_it_begins_says_so_and_leaves_no_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, earlier: bool
 ) -> None:
     def interrupted(*_: object) -> None:
@@ -233,10 +233,10 @@ def test_a_run_that_is_interrupted_says_so_and_leaves_no_empty_folder(
     if earlier:
         assert 0 == CliRunner().invoke(app, words).exit_code
     kept = sorted(path.name for path in tmp_path.rglob("*"))
-    monkeypatch.setattr("tutorstudent.command.program.run_pipeline", interrupted)
+    monkeypatch.setattr("tutorstudent.core.files.keeping.try_pipeline", interrupted)
     result = CliRunner().invoke(app, words)
     assert 130 == result.exit_code
-    assert "interrupted. A run is written when it ends, so nothing was written;" in result.stderr
+    assert "interrupted before the first decision; nothing was written." in result.stderr
     assert kept == sorted(path.name for path in tmp_path.rglob("*"))
 
 

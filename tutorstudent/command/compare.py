@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, NamedTuple
 
@@ -16,7 +17,7 @@ from tutorstudent.study.plans.plan import Plan
 from tutorstudent.study.plans.planfile import load_plan
 from tutorstudent.study.plans.planning import make_plan
 from tutorstudent.study.plans.requests import Request, read_pipelines, read_setting, read_variation
-from tutorstudent.study.runs.backends import Backend, check_backend, check_extras
+from tutorstudent.study.runs.backends import Backend, check_backend, check_extras, end_workers
 from tutorstudent.study.runs.results import Study
 from tutorstudent.study.studies import check_folder, run_study
 from tutorstudent.study.tables.media import make_terminal_table
@@ -60,7 +61,13 @@ def compare(
     except KeyboardInterrupt:
         typer.echo(f"interrupted; go on with: {make_resume_command(out)}", err=True)
         raise typer.Exit(INTERRUPTED) from None
-    show(study)
+    except SystemExit:
+        typer.echo(f"ended from outside; go on with: {make_resume_command(out)}", err=True)
+        raise
+    finally:
+        end_workers()
+    with suppress(BrokenPipeError, SystemExit):  # rich's word for it: nobody reads it; the page is written
+        show(study)
     if study.failures:
         typer.echo(f"What failed is run again by: {make_resume_command(out)}", err=True)
         raise typer.Exit(1)

@@ -24,12 +24,16 @@ from tutorstudent.command.outcome_lines import describe_amplification
 from tutorstudent.command.plugin_info import info
 from tutorstudent.command.plugin_list import plugins_list
 from tutorstudent.command.progress_bar import ProgressBar
+from tutorstudent.command.supervising import end, watch_over
 from tutorstudent.core.deciding.engine import Engine
+from tutorstudent.core.files.finished import Failure, Finished
+from tutorstudent.core.files.keeping import Kept, claim, keep_run, say_kept
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.registry import Registry
-from tutorstudent.core.files.rundir import Finished, explain_write_errors, prepare, run_pipeline, write_run
+from tutorstudent.core.files.rundir import explain_write_errors
 from tutorstudent.core.files.schema import make_schema
 from tutorstudent.core.files.settings import read_settings
+from tutorstudent.core.running.whereabouts import HERE
 from tutorstudent.core.words.errors import TutorStudentError
 
 app = typer.Typer(
@@ -83,21 +87,16 @@ def run(
     """Run a pipeline in its world and write a directory that can be read later."""
     changes = read_settings("--set", settings or [])
     changes |= {key: value for key, value in (("decisions", decisions), ("seed", seed)) if value is not None}
+    directory = None if out is None else out.absolute()
     chosen = Pipeline.read(pipeline).replaced(changes)
-    directory = out or Path("runs") / f"{pipeline.stem}-{chosen.header.seed}"
-    prepare(directory)
-    finished = _run_with_progress(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
-    note = write_run(directory, finished)
-    _print_summary(finished.summary)
-    for line in describe_amplification(finished.decisions):
-        _say(line)
-    if note:
+    directory = directory or (Path("runs") / f"{pipeline.stem}-{chosen.header.seed}").absolute()
+    kept = _keep_with_progress(chosen, f"{pipeline.stem}, seed {chosen.header.seed}", directory)
+    for note in kept.notes:
         typer.echo(f"tutorstudent: {note}", err=True)
-    _print_incidents(finished.engine)
-    for notice in finished.notices:
-        _say(f"notice: {notice.says}")
-    _say(f"written to {directory}")
-    if strict and finished.engine.incident_counts:
+    with suppress(BrokenPipeError, SystemExit):  # rich's word for it: nobody reads it any more; the run is written
+        _print_finished(kept.finished)
+        _say(f"written to {directory}")
+    if strict and kept.finished.engine.incident_counts:
         raise typer.Exit(1)
 
 
@@ -117,18 +116,42 @@ def schema(
     _say(f"# yaml-language-server: $schema={out.name}")
 
 
-def _run_with_progress(pipeline: Pipeline, title: str, directory: Path) -> Finished:
+def _keep_with_progress(pipeline: Pipeline, title: str, directory: Path) -> Kept:
     try:
-        with ProgressBar(title) as bar:
-            return run_pipeline(pipeline, [bar])
+        with claim(directory.resolve()) as partial, ProgressBar(title) as bar:
+            kept = keep_run(pipeline, directory.resolve(), partial, HERE, [bar])
     except KeyboardInterrupt:
-        with suppress(OSError):  # it holds an earlier run
-            directory.rmdir()
-        typer.echo(
-            "interrupted. A run is written when it ends, so nothing was written; 'compare' keeps finished runs.",
-            err=True,
-        )
+        typer.echo("interrupted before the first decision; nothing was written.", err=True)
         raise typer.Exit(130) from None
+    failure = kept.finished.failure
+    if failure is None:
+        return kept
+    raise RunEnded(failure, kept.folder) from failure.error
+
+
+class RunEnded(Exception):
+    """A run ended before its last decision; what was decided is kept."""
+
+    def __init__(self, failure: Failure, folder: Path) -> None:
+        super().__init__(f"{failure.problem.rstrip('.')}. {say_kept(folder)}")
+        self.code = _find_code(failure)
+
+
+def _find_code(failure: Failure) -> int:
+    if isinstance(failure.error, KeyboardInterrupt):
+        return 130
+    if failure.is_owners and isinstance(failure.error, SystemExit) and isinstance(failure.error.code, int):
+        return failure.error.code or 1
+    return 2 if isinstance(failure.error, TutorStudentError) else 1
+
+
+def _print_finished(finished: Finished) -> None:
+    _print_summary(finished.summary)
+    for line in describe_amplification(finished.decisions):
+        _say(line)
+    _print_incidents(finished.engine)
+    for notice in finished.notices:
+        _say(f"notice: {notice.says}")
 
 
 def _print_summary(summary: dict[str, float]) -> None:
@@ -152,11 +175,18 @@ def _say(text: str) -> None:
 
 def main() -> NoReturn:
     """Run the command line; a `TutorStudentError` is a sentence and exit code 2."""
+    code = watch_over(sys.argv[1:])
+    end(_run_app() if code is None else code)
+
+
+def _run_app() -> int:
     try:
         app()
-    except TutorStudentError as error:
+    except (TutorStudentError, RunEnded) as error:
         if is_verbose():
             traceback.print_exc()
         typer.echo(f"tutorstudent: {error}", err=True)
-        sys.exit(2)
-    sys.exit(0)
+        return error.code if isinstance(error, RunEnded) else 2
+    except SystemExit as ended:
+        return ended.code if isinstance(ended.code, int) else int(ended.code is not None)
+    return 0

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from tests.core.toys import PIPELINE, Pusher, Rail, toy_pipeline, toy_registry
+from tutorstudent.core.files.finished import Finished
 from tutorstudent.core.files.pipeline import Pipeline
-from tutorstudent.core.files.rundir import Finished, prepare, run_pipeline, write_run
+from tutorstudent.core.files.rundir import prepare, run_pipeline, write_run
 from tutorstudent.core.roles import part as part_module
 from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step
@@ -167,7 +168,7 @@ WORKSHOP = PIPELINE.replace("use: rail", "use: workshop")
 
 
 def test_options_and_events_of_other_types_do_not_cost_the_run(tmp_path: Path) -> None:
-    assert write_run(tmp_path / "run", finished(WORKSHOP + "observers: [counter]\n")) is None
+    assert "" == write_run(tmp_path / "run", finished(WORKSHOP + "observers: [counter]\n"))
     again = Pipeline.read(tmp_path / "run" / "pipeline.yaml", REGISTRY).document.data["world"]
     assert ("plans/a.txt", "red") == (again["plan"], again["paint"])
     summary = json.loads((tmp_path / "run" / "run.json").read_text())["summary"]
@@ -208,9 +209,9 @@ def test_an_option_that_no_file_can_hold_is_refused_before_the_run() -> None:
 )
 def test_what_was_learned_but_cannot_be_saved_does_not_cost_the_rest(tmp_path: Path, how: str, why: str) -> None:
     text = PIPELINE.replace("tutor: pusher", "tutor: {use: forgetful, how: HOW}")
-    assert write_run(tmp_path, finished(text.replace("HOW", "number"))) is None
+    assert "" == write_run(tmp_path, finished(text.replace("HOW", "number")))
     assert (tmp_path / "learned.npz").exists()
-    note = write_run(tmp_path, finished(text.replace("HOW", how))) or ""
+    note = write_run(tmp_path, finished(text.replace("HOW", how)))
     assert note.startswith(f"{tmp_path / 'learned.npz'}: what was learned could not be saved: {why[:-1]}")
     assert note.endswith(". The other files of the run are written.")
     assert {"pipeline.yaml", "run.json", "decisions.npz"} == {path.name for path in tmp_path.iterdir()}

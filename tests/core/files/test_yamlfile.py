@@ -41,7 +41,7 @@ def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
         ("a:\n\tb: 1", "f.yaml:2:1: not valid YAML: there is a tab here; indent with spaces."),
         ("\na: 'b\n\nc: 1", "f.yaml:2:4: not valid YAML: the quote that opens here is never closed."),
         ("a: 1\nb:2\nc: 3", "f.yaml:2:1: not valid YAML: a ':' with a space after it is missing here."),
-        ("a 1\nb: 2", "f.yaml:2:2: not valid YAML: a ':' is not expected here; check the indentation, look for a miss"),
+        ("a 1\nb: 2", "f.yaml:2:2: not valid YAML: a ':' is not expected here; is this line indented further than"),
         (
             "a:\n  b: 1\n c: 2",
             "f.yaml:3:2: not valid YAML: this is not indented like what it belongs to, which begins i",
@@ -80,7 +80,10 @@ def test_a_key_that_is_not_there_has_the_place_of_its_parent() -> None:
         ("a: !!bool x\n", "f.yaml:1:4: a: 'x' is no bool that can be read."),
         ("a: !!int x\n", "f.yaml:1:4: a: 'x' is no int that can be read."),
         ("a: [1_]\n", "f.yaml:1:5: a.0: '1_' is no int that can be read."),
-        (f"a: {'9' * 5000}\n", "f.yaml:1:4: a: '9999999999999999999999999999999999999...' is no int that can be read."),
+        (
+            f"a: {'9' * 5000}\n",
+            "f.yaml:1:4: a: '9999999999999999999999999999999999999...' is no int: with 5,000 digits; 1000 are allowed.",
+        ),
         (
             "a: 017\n",
             "f.yaml:1:4: a: '017' is no int: with a leading zero some read it as octal; write 17, or 0o17 if that",

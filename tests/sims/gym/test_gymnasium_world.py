@@ -154,7 +154,7 @@ def test_an_environment_that_cannot_be_used_is_told(options: dict[str, Any], mes
     [
         ({}, "option 'id' is required"),
         ({"id": "x", "max_steps": 0}, "option 'max_steps'"),
-        ({"id": "x", "ID": "y"}, "unknown option 'ID'. Options: id, kwargs, max_steps"),
+        ({"id": "x", "ID": "y"}, r"unknown option 'ID' \(did you mean 'id'\?\). Options: id, kwargs, max_steps"),
     ],
 )
 def test_a_mistake_in_the_options_is_told(options: dict[str, Any], message: str) -> None:

@@ -94,10 +94,14 @@ def test_a_job_that_fails_is_told_and_the_others_go_on(
     finished = list(run_jobs(plan.jobs(), tmp_path, 1))
     failed = [item for item in finished if item.problem]
     assert {1} == {item.job.seed for item in failed}
-    assert {"RuntimeError: the wall fell down"} == {item.problem for item in failed}
+    assert {"decision 0: world 'corridor': reset() raised RuntimeError: the wall fell down."} == {
+        item.problem for item in failed
+    }
     study = read_study(tmp_path, plan)
     assert (6, 6) == (len(study.runs), len(study.failures))
-    assert {"RuntimeError: the wall fell down"} == {failure.problem for failure in study.failures}
+    assert {"decision 0: world 'corridor': reset() raised RuntimeError: the wall fell down."} == {
+        failure.problem for failure in study.failures
+    }
     assert "Traceback" in (tmp_path / failed[0].job.folder / "error.txt").read_text()
 
 

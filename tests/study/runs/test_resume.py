@@ -50,18 +50,18 @@ def test_runs_that_failed_are_run_again_and_the_others_stay(
     undisturbed = run_plan(planned(), folder / "undisturbed")
     level = next(level for level in (1, 2) if level != best_level(undisturbed))
 
-    def unreliable(pipeline: Any) -> Any:
+    def unreliable(pipeline: Any, *given: Any, **named: Any) -> Any:
         if "ramp" in pipeline.document.name or f"level-{level}" in pipeline.document.name:
             raise RuntimeError("no room")
-        return run_pipeline(pipeline)
+        return keep_run(pipeline, *given, **named)
 
-    run_pipeline = jobs_module.run_pipeline
-    monkeypatch.setattr(jobs_module, "run_pipeline", unreliable)
+    keep_run = jobs_module.keep_run
+    monkeypatch.setattr(jobs_module, "keep_run", unreliable)
     out = folder / "out"
     study = run_plan(planned(), out)
     assert {"ramp", f"search: level-{level}"} == {failure.variant for failure in study.failures}
     there = inodes(out)
-    monkeypatch.setattr(jobs_module, "run_pipeline", run_pipeline)
+    monkeypatch.setattr(jobs_module, "keep_run", keep_run)
     study = run_plan(planned(), out)
     assert () == study.failures
     assert there == {path: inode for path, inode in inodes(out).items() if path in there}
@@ -75,15 +75,15 @@ def test_the_runs_of_a_level_that_is_no_longer_the_best_go(
 ) -> None:
     best = best_level(run_plan(planned(), folder / "undisturbed"))
 
-    def unreliable(pipeline: Any) -> Any:
+    def unreliable(pipeline: Any, *given: Any, **named: Any) -> Any:
         if f"level-{best}" in pipeline.document.name:
             raise RuntimeError("no room")
-        return run_pipeline(pipeline)
+        return keep_run(pipeline, *given, **named)
 
-    run_pipeline = jobs_module.run_pipeline
-    monkeypatch.setattr(jobs_module, "run_pipeline", unreliable)
+    keep_run = jobs_module.keep_run
+    monkeypatch.setattr(jobs_module, "keep_run", unreliable)
     assert best != best_level(run_plan(planned(), folder / "out"))
-    monkeypatch.setattr(jobs_module, "run_pipeline", run_pipeline)
+    monkeypatch.setattr(jobs_module, "keep_run", keep_run)
     run_plan(planned(), folder / "out")
     assert results(folder / "undisturbed") == results(folder / "out")
 

@@ -26,6 +26,12 @@ def check_vocabulary(tutor: Tutor[Any, Any]) -> None:
     Raises:
         ContractError: if they have not.
     """
+    if getattr(tutor, "action", None) is None:
+        raise ContractError(
+            f"tutor '{tutor.name}': it has no 'action'; name the class of actions that it returns, as in "
+            "action = ts.scalar(-1, 1).",
+            slot="tutor",
+        )
     vocabulary = tutor.action.vocabulary
     if not any(vocabulary.groups.values()):
         raise ContractError(

@@ -33,25 +33,60 @@ def replace_folder(folder: Path) -> Iterator[Path]:
 
     It must hold files only, no folders. If an error ends the block, `folder` stays as it was.
     """
+    partial = make_partial(folder)
+    try:
+        yield partial
+        place_folder(partial, folder)
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+
+
+def make_partial(folder: Path) -> Path:
+    """Make an empty folder beside `folder`, in which it is written."""
     # Another name each time: a process that outlived its study may still be writing the same run.
     partial = folder.with_name(f".{folder.name}.{uuid4().hex}{PARTIAL}")
     partial.mkdir(parents=True)
-    try:
-        yield partial
-        for path in partial.iterdir():
-            _sync_file(path)
-        _sync_folder(partial)
-        if folder.exists():
-            shutil.rmtree(folder)
-        partial.replace(folder)
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
+    return partial
+
+
+def find_partial(folder: Path) -> list[Path]:
+    """Return what `make_partial` made for a folder and is still there."""
+    return sorted(folder.parent.glob(f".{folder.name}.*{PARTIAL}"))
+
+
+def place_folder(partial: Path, folder: Path) -> None:
+    """Move a folder of files to its place, durably, where another one may stand, which is removed afterwards."""
+    for path in partial.iterdir():
+        _sync_file(path)
+    _sync_folder(partial)
+    if folder.is_mount() or folder == Path.cwd():
+        _replace_files(partial, folder)
+        return
+    old = folder.with_name(f".{folder.name}.{uuid4().hex}{PARTIAL}")
+    if folder.exists():
+        folder.replace(old)
+    partial.replace(folder)
+    shutil.rmtree(old, ignore_errors=True)
     _sync_folder(folder.parent)
 
 
+def _replace_files(partial: Path, folder: Path) -> None:
+    # A folder that somebody works in, or that is a disk by itself, stays where it is.
+    names = {path.name for path in partial.iterdir()}
+    for path in [path for path in folder.iterdir() if path.name not in names]:
+        path.unlink()
+    for name in sorted(names):
+        shutil.move(partial / name, folder / name)
+    _sync_folder(folder)
+
+
 @contextmanager
-def lock_folder(folder: Path) -> Iterator[None]:
+def lock_folder(folder: Path, busy: str = "") -> Iterator[None]:
     """Keep a second process on this machine out of a folder, where the system can; leaves no file behind.
+
+    Args:
+        folder: Has to be there.
+        busy: What is said where another process has it.
 
     Raises:
         PipelineError: if another one does.
@@ -66,7 +101,9 @@ def lock_folder(folder: Path) -> Iterator[None]:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         yield
     except BlockingIOError:
-        raise PipelineError(f"{folder}: another process works on this study; wait for it, or end it first.") from None
+        raise PipelineError(
+            busy or f"{folder}: another process works on this study; wait for it, or end it first."
+        ) from None
     finally:
         os.close(descriptor)
 

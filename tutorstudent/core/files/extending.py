@@ -9,6 +9,7 @@ from tutorstudent.core.files.yamlfile import Document, Location, Place, read_yam
 from tutorstudent.core.words.errors import PipelineError
 
 EXTENDS = "extends"
+LONGEST_CHAIN = 50
 WHOLE: tuple[Location, ...] = (("on_tutor_failure",),)
 """Mappings that are replaced as a whole: the components of two actions are not mixed."""
 
@@ -45,6 +46,10 @@ def _find_base(document: Document, path: Path, chain: list[Path]) -> Path:
             document, f"found the absolute path {named}; write it relative to this file, for other machines."
         )
     base = path.parent / named
+    if len(chain) > LONGEST_CHAIN:
+        raise _make_error(
+            document, f"this is file {len(chain)} of a chain; {LONGEST_CHAIN} files may extend each other."
+        )
     if not _is_file(base):
         raise _make_error(document, f"there is no file {base}. The path is relative to the file that names it.")
     if base.resolve() in [known.resolve() for known in chain]:

@@ -93,6 +93,11 @@ def load_parts(entry_point: metadata.EntryPoint) -> Iterator[type[Component]]:
     manager = pluggy.PluginManager(hookspecs.PROJECT)
     manager.add_hookspecs(hookspecs)
     plugin = entry_point.load()
+    if inspect.isclass(plugin):
+        raise BrokenPlugin(
+            f"'{entry_point.value}' names the class {plugin.__name__}; an entry point names the module with the hook "
+            f'tutorstudent_components(), as in {entry_point.name} = "{entry_point.module}".'
+        )
     _check_version(plugin)
     manager.register(plugin, name=entry_point.name)
     manager.check_pending()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import stat
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,6 +15,10 @@ from tutorstudent.core.words.errors import PipelineError
 
 LARGEST = 500_000
 """Characters of a file; more would take the parser minutes."""
+
+
+MOST_BYTES = 4
+"""Of a character in UTF-8."""
 
 
 class Document(NamedTuple):
@@ -62,6 +67,7 @@ def read_yaml(path: Path) -> Document:
         PipelineError: if it cannot be read, with the place and the remedy.
     """
     try:
+        _check_file(path)
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PipelineError(f"{path}: there is no such file. Give the path of a YAML file.") from None
@@ -72,6 +78,14 @@ def read_yaml(path: Path) -> Document:
     except OSError as error:
         raise PipelineError(f"{path}: cannot be read: {error.strerror}. Give the path of a YAML file.") from None
     return parse_yaml(text, str(path))
+
+
+def _check_file(path: Path) -> None:
+    found = path.stat()
+    if stat.S_ISREG(found.st_mode) and found.st_size > LARGEST * MOST_BYTES:
+        raise PipelineError(f"{path}: it has {found.st_size:,} bytes; {LARGEST:,} characters are allowed.")
+    if not stat.S_ISREG(found.st_mode) and not stat.S_ISDIR(found.st_mode):
+        raise PipelineError(f"{path}: this is no file but a pipe or a device. Give the path of a YAML file.")
 
 
 def parse_yaml(text: str, name: str) -> Document:

@@ -17,6 +17,8 @@ Location = tuple[Key, ...]
 DEEPEST = 50
 MOST = 100_000
 """Values of one file, those that aliases repeat included."""
+LONGEST_NUMBER = 1000
+"""Digits of a whole number; reading more takes time that grows with their square."""
 STANDARD = "tag:yaml.org,2002:"
 _LEADING_ZERO = re.compile(r"[-+]?0[0-9_]+")
 
@@ -129,6 +131,8 @@ def _shorten(text: str) -> str:
 
 
 def _read_int(text: str) -> int:
+    if len(text) > LONGEST_NUMBER:
+        raise _Ambiguous(f"with {len(text):,} digits; {LONGEST_NUMBER} are allowed")
     if _LEADING_ZERO.fullmatch(text):
         plain = text.lstrip("+-0") or "0"
         raise _Ambiguous(f"with a leading zero some read it as octal; write {plain}, or 0o{plain} if that is meant")
@@ -171,8 +175,8 @@ REMEDIES = (
     Remedy(
         "mapping values are not allowed",
         False,
-        "a ':' is not expected here; check the indentation, look for a missing ':' in the line above, or quote the "
-        "value.",
+        "a ':' is not expected here; is this line indented further than the line above? Check the indentation, look "
+        "for a missing ':' in the line above, or quote the value.",
     ),
     Remedy("expected <block end>", False, "this is not indented like what it belongs to{begin}."),
     Remedy("undefined alias", False, "{problem}; quote a value that begins with '*'."),

@@ -13,7 +13,14 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, ValidationIn
 from tutorstudent.core.roles.binding import Binding, make_stream
 from tutorstudent.core.roles.option_problems import find_option_problems, refuse_truth
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import ContractError, PipelineError, TutorStudentError, list_names, suggest
+from tutorstudent.core.words.errors import (
+    ContractError,
+    PipelineError,
+    TutorStudentError,
+    list_names,
+    say_error,
+    suggest,
+)
 from tutorstudent.core.words.turn import Turn
 
 Learned = Mapping[str, Any]
@@ -74,6 +81,11 @@ class Component(abc.ABC):
 
     def bind(self, binding: Binding) -> None:
         """Tell the part its slot. Called once by whoever builds the pipeline; nested parts come first."""
+        if not hasattr(self, "options"):
+            raise ContractError(
+                f"{self.role} '{self.name}': its own __init__ does not call super().__init__(**options); call that "
+                "first, or leave __init__ out and prepare in setup()."
+            )
         if self.slot:
             raise ContractError(
                 f"{self.role} '{self.name}' is already at '{self.slot}' of a pipeline; make one for each slot."
@@ -88,6 +100,9 @@ class Component(abc.ABC):
         except TutorStudentError as error:
             error.slot = binding.slot
             raise
+        except (Exception, SystemExit) as error:
+            said = f"{self.role} '{self.name}': setup() raised {say_error(error)}"
+            raise PipelineError(said, binding.slot) from error
 
     def parts(self) -> Iterator[tuple[str, Component]]:
         """Yield the nested parts, each with the option that holds it."""

@@ -79,7 +79,7 @@ class Meter:
     """
 
     def __init__(self, observers: Sequence[Observer]) -> None:
-        self._observers = tuple(observers)
+        self.observers = tuple(observers)
         self.measures: list[Measure] = []
         """What the observers measure, by the names that stand in the summary; known once they have begun."""
 
@@ -87,7 +87,7 @@ class Meter:
         """Begin all observers."""
         taken = {*Tally().summary(), *(measure.name for measure in TALLIED), *begin.world.event_names}
         self.measures, self._names = [], []
-        for observer in self._observers:
+        for observer in self.observers:
             observer.begin(begin)
             names: dict[str, str] = {}
             for measure in observer.measures:
@@ -104,7 +104,7 @@ class Meter:
             ContractError: if an observer returns what it does not declare, or what is no number.
         """
         found: dict[str, float] = {}
-        for observer, names in zip(self._observers, self._names, strict=True):
+        for observer, names in zip(self.observers, self._names, strict=True):
             values = observer.observe(turn, step)
             if values:
                 found |= _check(observer, values, names)
@@ -117,7 +117,7 @@ class Meter:
         What an observer says of a measure of its own stands for the sum.
         """
         found = self._totals.summary()
-        for observer, names in zip(self._observers, self._names, strict=True):
+        for observer, names in zip(self.observers, self._names, strict=True):
             mine = {key: _make_number(value) for key, value in observer.summary().items()}
             found |= {names.get(key) or find_free_key(key, found): value for key, value in mine.items()}
         return found

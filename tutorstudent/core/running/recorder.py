@@ -38,6 +38,8 @@ HEADS = (
     "trial_ended",
 )
 """The whole numbers of a decision."""
+ROWS = (*HEADS, "said", "executed", "violated", "events", "measures")
+"""The columns with an entry for each decision; all others hold names."""
 
 
 class Recorder(Observer):
@@ -128,25 +130,30 @@ class Recorder(Observer):
         """Return what the other observers measured and counted."""
         return self._meter.summary()
 
-    def arrays(self) -> Arrays:
-        """Return the columns, as long as there were decisions."""
-        n = self._count
-        columns: Arrays = {name: self._heads[:n, i].copy() for i, name in enumerate(HEADS)}
+    @property
+    def count(self) -> int:
+        """How many decisions it has seen."""
+        return self._count
+
+    def arrays(self, first: int = 0) -> Arrays:
+        """Return the columns from a decision on, as long as there were decisions."""
+        rows = slice(first, self._count)
+        columns: Arrays = {name: self._heads[rows, i].copy() for i, name in enumerate(HEADS)}
         return columns | {
             "kind_names": _make_array(self._kinds),
             "situation_names": _make_array(list(self._situations)),
             "limited_by_names": _make_array(list(self._limits)),
             "void_names": _make_array(list(self._voids)),
             "incident_part_names": _make_array(list(self._parts)),
-            "said": self._said[:n],
-            "executed": self._executed[:n],
-            "executed_ratio": self._ratio[:n],
+            "said": self._said[rows],
+            "executed": self._executed[rows],
+            "executed_ratio": self._ratio[rows],
             "component_names": _make_array(self._components),
-            "violated": self._violated[:n],
+            "violated": self._violated[rows],
             "condition_names": _make_array(self._conditions),
-            "events": self._world[:n],
+            "events": self._world[rows],
             "event_names": _make_array(self._events),
-            "measures": self._measured[:n],
+            "measures": self._measured[rows],
             "measure_names": _make_array([measure.name for measure in self.measured]),
         }
 

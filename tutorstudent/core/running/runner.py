@@ -11,6 +11,8 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.roles.world import World
 from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
+from tutorstudent.core.running.whereabouts import BEGIN, DECIDE, OBSERVE, Whereabouts
+from tutorstudent.core.running.world_seat import WorldSeat, check_methods
 from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 
@@ -45,12 +47,29 @@ def run(
     """
     check_world(engine, world)
     meter = Meter(observers)
+    run_loop(engine, world, decisions, seed, meter, Whereabouts())
+    return meter.summary()
+
+
+def run_loop(
+    engine: Engine[Any, Any, Any], world: World[Any, Any], decisions: int, seed: int, meter: Meter, at: Whereabouts
+) -> None:
+    """Run the loop, show every decision to the meter, and note down where it is.
+
+    Whatever ends it, the meter has seen every decision that is complete.
+    """
+    at.begin_decision(0)
+    at.enter(BEGIN)
     meter.begin(Begin(engine, world, decisions))
-    trial = 0
+    trial, seat = 0, WorldSeat(world, at)
+    at.enter(DECIDE)
     engine.reset()
-    state = world.reset(make_trial_seed(seed, trial))
-    for _ in range(decisions):
-        step = world.step(engine.propagate(state))
+    state = seat.reset(make_trial_seed(seed, trial))
+    for number in range(decisions):
+        at.begin_decision(number)
+        at.enter(DECIDE)
+        step = seat.step(engine.propagate(state))
+        at.enter(DECIDE)
         if step.truncated and not step.done:
             engine.drop()
         else:
@@ -58,21 +77,31 @@ def run(
         turn = engine.last
         if turn is None:
             raise ContractError("run(): the engine has no turn to show; it was reset from inside the loop.")
+        at.enter(OBSERVE)
         meter.observe(turn, step)
         state = step.state
         if step.done or step.truncated:
             trial += 1
+            at.begin_decision(number + 1)
+            at.enter(DECIDE)
             engine.reset()
-            state = world.reset(make_trial_seed(seed, trial))
-    return meter.summary()
+            state = seat.reset(make_trial_seed(seed, trial))
 
 
 def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
     """Refuse a world that does not execute the tutor's actions, or whose goal is none of its events."""
-    if not issubclass(engine.tutor.action, world.action):
+    check_methods(world)
+    ours, theirs = engine.tutor.action, world.action
+    if not issubclass(ours, theirs):
+        if (ours.__name__, ours.vocabulary) == (theirs.__name__, theirs.vocabulary):
+            raise ContractError(
+                f"world '{world.name}' and tutor '{engine.tutor.name}' have two action classes of the same form, both "
+                f"called {theirs.__name__}. Each call of ts.scalar() or ts.vector() makes a class of its own: "
+                "make it once, and use that one in both."
+            )
         raise ContractError(
-            f"world '{world.name}' executes {world.action.__name__} but tutor '{engine.tutor.name}' "
-            f"returns {engine.tutor.action.__name__}. Use a tutor and a world of one action class."
+            f"world '{world.name}' executes {theirs.__name__} but tutor '{engine.tutor.name}' "
+            f"returns {ours.__name__}. Use a tutor and a world of one action class."
         )
     if world.goal_event and world.goal_event not in world.event_names:
         near = suggest(world.goal_event, world.event_names)

@@ -78,7 +78,8 @@ def suggest(word: str, known: Iterable[str]) -> str:
     >>> suggest("qqq", ["hidden"])
     ''
     """
-    near = difflib.get_close_matches(word, list(known), n=1)
+    by_letters = {name.lower(): name for name in known}
+    near = [by_letters[name] for name in difflib.get_close_matches(word.lower(), list(by_letters), n=1)]
     return f" (did you mean '{near[0]}'?)" if near else ""
 
 
@@ -105,6 +106,20 @@ def quote(value: object) -> str:
     brief.maxstring = brief.maxother = brief.maxlong = 60
     text = brief.repr(value)
     return text if len(text) <= 100 else f"{text[:97]}..."
+
+
+def say_error(error: BaseException) -> str:
+    r"""Return what an exception is and says, as one line that ends a sentence; however it behaves when it is asked.
+
+    >>> say_error(ValueError("no\nroom.")), say_error(KeyError())
+    ('ValueError: no room.', 'KeyError.')
+    """
+    name = type(error).__name__
+    try:
+        said = " ".join(str(error).split()).rstrip(".")
+    except Exception:
+        said = "its message cannot be read"
+    return f"{name}: {said}." if said else f"{name}."
 
 
 def with_article(word: str) -> str:

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, ClassVar
 
+from tutorstudent.core.deciding.guard import is_owners
 from tutorstudent.core.roles import part
 from tutorstudent.core.roles.part import Field
 from tutorstudent.core.roles.world import Step, World
 from tutorstudent.core.words.actions import Action
-from tutorstudent.core.words.errors import ContractError, PipelineError
+from tutorstudent.core.words.errors import ContractError, PipelineError, say_error
 from tutorstudent.core.words.measures import Measure, Summary
 from tutorstudent.core.words.snapshots import take_snapshot
 from tutorstudent.sims.gym.loading import load_gymnasium
 from tutorstudent.sims.gym.spaces import check_box, check_fit, make_box_values
-from tutorstudent.sims.gym.types import GymState
+from tutorstudent.sims.gym.types import GymState, make_info, make_reward
+
+LARGEST_SEED = 2**31
+"""Many environments hand their seed to what takes no larger one."""
 
 
 class GymnasiumWorld(World[GymState, Action]):
@@ -38,6 +43,7 @@ class GymnasiumWorld(World[GymState, Action]):
     _env: Any = None
     _fits: type[Action] | None = None
     _return = 0.0
+    _count = 0
 
     @property
     def event_names(self) -> Mapping[str, Summary | Measure]:
@@ -61,21 +67,25 @@ class GymnasiumWorld(World[GymState, Action]):
     def reset(self, seed: int) -> GymState:
         if self._env is None:
             self._open()
-        self._return = 0.0
-        observation, info = self._env.reset(seed=seed)
-        return GymState(take_snapshot(observation), info=take_snapshot(info))
+        self._return, self._count = 0.0, 0
+        with self._blame("reset()", "return (observation, info)"):
+            observation, info = self._env.reset(seed=seed % LARGEST_SEED)
+            return GymState(take_snapshot(observation), info=make_info(info))
 
     def step(self, action: Action) -> Step[GymState]:
         if self._env is None:
             raise ContractError("world 'gymnasium': no trial is running; call reset(seed) first.")
         if type(action) is not self._fits:
             self._check(type(action))
-        observation, reward, terminated, truncated, info = self._env.step(
-            make_box_values(action, self._env.action_space)
-        )
-        state = GymState(
-            take_snapshot(observation), float(reward), bool(terminated), bool(truncated), take_snapshot(info)
-        )
+        values = make_box_values(action, self._env.action_space)
+        with self._blame(
+            f"step() {self._count} of a trial", "return (observation, reward, terminated, truncated, info)"
+        ):
+            observation, reward, terminated, truncated, info = self._env.step(values)
+            state = GymState(
+                take_snapshot(observation), make_reward(reward), bool(terminated), bool(truncated), make_info(info)
+            )
+        self._count += 1
         self._return += state.reward
         ended = state.terminated or state.truncated
         events = {"reward": state.reward, "episode_return": self._return, "episodes": float(ended)}
@@ -93,14 +103,27 @@ class GymnasiumWorld(World[GymState, Action]):
         limit = {} if self.options.max_steps is None else {"max_episode_steps": self.options.max_steps}
         try:
             env = gymnasium.make(self.options.id, **limit, **self.options.kwargs)
-        except (gymnasium.error.Error, TypeError, ValueError, ImportError) as error:
-            raise PipelineError(f"{self._format_name()}: it cannot be made: {type(error).__name__}: {error}") from None
+        except BaseException as error:  # whatever an environment of somebody else raises
+            if is_owners(error):
+                raise
+            raise PipelineError(f"{self._format_name()}: it cannot be made: {say_error(error)}") from error
         try:
             check_box(env.action_space, self._format_name())
         except ContractError:
             env.close()
             raise
         self._env = env
+
+    @contextmanager
+    def _blame(self, method: str, remedy: str) -> Iterator[None]:
+        try:
+            yield
+        except BaseException as error:  # whatever an environment of somebody else raises or returns
+            if is_owners(error):
+                raise
+            raise ContractError(
+                f"{self._format_name()}: {method} failed: {say_error(error)} An environment has to {remedy}."
+            ) from error
 
     def _check(self, action: type[Action]) -> None:
         check_fit(action, self._env.action_space, self._format_name())

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tutorstudent.core.files.durable import write_whole
-from tutorstudent.core.files.rundir import find_versions
+from tutorstudent.core.files.provenance import find_versions
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study.plans.plan import Environment, Plan, Search, Variant
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from contextlib import closing
+from collections.abc import Iterator, Mapping
+from contextlib import closing, contextmanager
 from typing import Any, NamedTuple
 
-from tutorstudent.core.files.pipeline import Pipeline, describe
+from tutorstudent.core.deciding.guard import is_owners
+from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.files.yamlfile import Document
@@ -43,7 +44,7 @@ def resolve(pipeline: Pipeline) -> Resolved:
     Raises:
         TutorStudentError: if it cannot be built; the message says where and what to do.
     """
-    with pipeline.built() as (engine, world, observers):
+    with _build(pipeline) as (engine, world, observers):
         encoders = [part for _, part in engine.student.parts() if isinstance(part, Encoder)]
         return Resolved(
             describe(engine, world, pipeline),
@@ -68,9 +69,27 @@ def reread(name: str, values: Values, registry: Registry) -> Pipeline:
 
 def draw_sketch(pipeline: Pipeline) -> Sketch:
     """Return a drawing of the pipeline's world at the beginning of a run."""
-    with pipeline.built() as (_, world, _observers):
-        world.reset(make_trial_seed(pipeline.header.seed, 0))
-        return world.sketch()
+    with _build(pipeline) as (_, world, _observers):
+        try:
+            world.reset(make_trial_seed(pipeline.header.seed, 0))
+            return world.sketch()
+        except BaseException as error:  # the runs say what is wrong with it
+            if is_owners(error):
+                raise
+            return Sketch()
+
+
+@contextmanager
+def _build(pipeline: Pipeline) -> Iterator[Built]:
+    """Build a pipeline; what it raises when it is closed after that costs nothing."""
+    done = False
+    try:
+        with pipeline.built() as built:
+            yield built
+            done = True
+    except BaseException as error:
+        if not done or is_owners(error):
+            raise
 
 
 def is_tutor_alone(values: Values) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
@@ -81,7 +82,19 @@ def _start_loky(_: str, workers: int) -> Iterator[Any]:
     try:
         yield parallel
     except BrokenProcessPool as error:
-        raise WorkersLost(f"a worker process died, and unfinished jobs with it ({type(error).__name__}).") from error
+        raise WorkersLost(f"a worker process died, and its run with it ({type(error).__name__}).") from error
+    except (KeyboardInterrupt, SystemExit, GeneratorExit):
+        end_workers()
+        raise
+
+
+def end_workers() -> None:
+    """End the processes that loky keeps for the next jobs, if there are any."""
+    if "joblib" in sys.modules:
+        from joblib.externals.loky import reusable_executor
+
+        if reusable_executor._executor is not None:
+            reusable_executor._executor.shutdown(wait=True, kill_workers=True)
 
 
 @contextmanager

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.watching import Notice
+from tutorstudent.core.files.journal import DECISIONS, RECORD, is_complete, load_record
 from tutorstudent.core.running.arrays import Arrays, load_arrays
 from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.measures import Measure
@@ -21,8 +22,6 @@ from tutorstudent.study.plans.plan import Job, Plan
 from tutorstudent.study.runs.jobs import ERROR
 from tutorstudent.study.runs.timing import TIMING, Spent, load_timing, read_sittings
 
-RECORD = "run.json"
-DECISIONS = "decisions.npz"
 AGAIN = "go on with 'compare --resume' to run it again."
 DAMAGES = (
     OSError,
@@ -127,6 +126,10 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
     own = folder / job.folder
     if not (own / RECORD).exists():
         return Failure(job.environment, job.variant, job.seed, _find_problem(own))
+    record = load_record(own)
+    if not is_complete(record):
+        problem = _find_problem(own) or str(record.get("problem", "")) or AGAIN
+        return Failure(job.environment, job.variant, job.seed, problem)
     try:
         record = json.loads((own / RECORD).read_text(encoding="utf-8"))
         summary, measures = _read_numbers(record)
@@ -139,8 +142,12 @@ def read_run(folder: Path, job: Job) -> Run | Failure:
 
 
 def pending(folder: Path, jobs: Iterable[Job]) -> list[Job]:
-    """Return the jobs that have no complete run below a folder, in their order."""
-    return [job for job in jobs if isinstance(read_run(folder, job), Failure)]
+    """Return the jobs that have no complete run below a folder, in their order; those that failed come last.
+
+    So a run that ends the whole study whenever it is run does not keep the others from being run.
+    """
+    found = [(run, job) for job in jobs if isinstance(run := read_run(folder, job), Failure)]
+    return [job for _, job in sorted(found, key=lambda pair: bool(pair[0].problem))]
 
 
 def write_csv(path: Path, runs: Sequence[Run]) -> None:

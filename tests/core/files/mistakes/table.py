@@ -69,7 +69,7 @@ SYNTAX = [
     Mistake("limits:", "<<: 3\nlimits:", "23:5", "", ("'<<' merges mappings", "alias")),
     Mistake("seed: 3", f"seed: {'[' * 60}{']' * 60}", "1:56", "", ("nested too deeply", "make it flatter")),
     Mistake("seed: 3", "seed: &a [*a]", "1:7", "seed.0.0", ("contains itself",)),
-    Mistake("seed: 3", f"seed: {'9' * 5000}", "1:7", "seed", ("no int that can be read",)),
+    Mistake("seed: 3", f"seed: {'9' * 5000}", "1:7", "seed", ("is no int", "5,000 digits", "1000 are allowed")),
     Mistake("seed: 3", "seed: 017", "1:7", "seed", ("leading zero", "write 17", "0o17")),
 ]
 VALUES = [
