@@ -36,7 +36,8 @@ ONE_KIND: dict[str, Any] = {
 
 def has_one_kind(tutor: Tutor[Any, Any]) -> bool:
     """Return whether a tutor's actions are of one kind, so that only their size can be learned."""
-    return len(tutor.action.vocabulary.kinds) == 1
+    action = getattr(tutor, "action", None)  # without one, assembly says so
+    return action is not None and len(action.vocabulary.kinds) == 1
 
 
 def make_defaults(tutor: Tutor[Any, Any]) -> dict[str, Any]:
