@@ -13,6 +13,7 @@ from tutorstudent.core.running.meter import Meter
 from tutorstudent.core.running.observers import Begin, Observer
 from tutorstudent.core.running.whereabouts import BEGIN, DECIDE, OBSERVE, Whereabouts
 from tutorstudent.core.running.world_seat import WorldSeat, check_methods
+from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.errors import ContractError, list_names, suggest
 
 
@@ -88,12 +89,17 @@ def run_loop(
             state = seat.reset(make_trial_seed(seed, trial))
 
 
+def _describe_class(action: type[Action]) -> tuple[object, ...]:
+    vocabulary = action.vocabulary
+    return action.__name__, vocabulary.kinds, dict(vocabulary.components), dict(vocabulary.groups)
+
+
 def check_world(engine: Engine[Any, Any, Any], world: World[Any, Any]) -> None:
     """Refuse a world that does not execute the tutor's actions, or whose goal is none of its events."""
     check_methods(world)
     ours, theirs = engine.tutor.action, world.action
     if not issubclass(ours, theirs):
-        if (ours.__name__, ours.vocabulary) == (theirs.__name__, theirs.vocabulary):
+        if _describe_class(ours) == _describe_class(theirs):
             raise ContractError(
                 f"world '{world.name}' and tutor '{engine.tutor.name}' have two action classes of the same form, both "
                 f"called {theirs.__name__}. Each call of ts.scalar() or ts.vector() makes a class of its own: "
