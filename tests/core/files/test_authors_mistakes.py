@@ -200,3 +200,9 @@ def test_what_unpacks_to_more_than_memory_is_refused_before(tmp_path: Path) -> N
     (tmp_path / "learned.npz").write_bytes(content)
     said = refused(text=f"{PIPELINE}learned: {tmp_path / 'learned.npz'}\n")
     assert "it unpacks to 3,000,000,000 bytes; 1,000,000,000 are allowed." in said
+
+
+@pytest.mark.parametrize("text", ["seed: 3\n  decisions: 5\n", "student:\n  use: table\n    hidden: 3\n"])
+def test_a_line_that_is_indented_too_far_is_told(tmp_path: Path, text: str) -> None:
+    (tmp_path / "p.yaml").write_text(text)
+    assert "a ':' is not expected here; is this line indented further than the line above?" in read(tmp_path / "p.yaml")
