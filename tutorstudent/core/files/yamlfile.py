@@ -66,9 +66,18 @@ def read_yaml(path: Path) -> Document:
     Raises:
         PipelineError: if it cannot be read, with the place and the remedy.
     """
+    return parse_yaml(read_text(path), str(path))
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a YAML file.
+
+    Raises:
+        PipelineError: if it cannot be read, with the place and the remedy.
+    """
     try:
         _check_file(path)
-        text = path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PipelineError(f"{path}: there is no such file. Give the path of a YAML file.") from None
     except UnicodeDecodeError as error:
@@ -77,7 +86,6 @@ def read_yaml(path: Path) -> Document:
         raise PipelineError(f"{place}: cannot be read: this is not UTF-8. Save the file in UTF-8.") from None
     except OSError as error:
         raise PipelineError(f"{path}: cannot be read: {error.strerror}. Give the path of a YAML file.") from None
-    return parse_yaml(text, str(path))
 
 
 def _check_file(path: Path) -> None:
@@ -113,4 +121,4 @@ def _compose(text: str) -> Any:
     return yaml.compose(text)
 
 
-__all__ = ["Document", "Location", "Place", "parse_yaml", "read_yaml"]
+__all__ = ["Document", "Location", "Place", "parse_yaml", "read_text", "read_yaml"]

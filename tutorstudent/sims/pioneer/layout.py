@@ -10,7 +10,7 @@ from pathlib import Path
 from tutorstudent.core.roles.world import Point
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
-from tutorstudent.sims.pioneer.mesh import Mesh, make_circle, make_facades, make_prisms, thicken
+from tutorstudent.sims.pioneer.mesh import MOST_CORNERS, Mesh, make_circle, make_facades, make_prisms, thicken
 from tutorstudent.sims.pioneer.ros_map import read_ros_map
 from tutorstudent.sims.pioneer.scene import Box, Circle, Robot, RosMap, Walls
 from tutorstudent.sims.pioneer.scene_files import find_scene, read_scene
@@ -23,7 +23,8 @@ class Layout:
     """A scene in metres and radians."""
 
     arena: Outline
-    islands: tuple[Outline, ...]
+    solids: tuple[tuple[Outline, ...], ...]
+    """What is solid in the arena: each thing with all its outlines, those of its holes too."""
     boxes: tuple[Rectangle, ...]
     robots: tuple[Robot, ...]
     starts: tuple[Pose, ...]
@@ -31,8 +32,13 @@ class Layout:
 
     mesh: Mesh
     """Everything solid, the outer wall included."""
-    picture: Mesh
+    pictures: tuple[Mesh, ...]
     """The walls, to be drawn."""
+
+    @property
+    def islands(self) -> tuple[Outline, ...]:
+        """The outlines of all that is solid in the arena."""
+        return tuple(outline for solid in self.solids for outline in solid)
 
     @property
     def learner(self) -> int:
@@ -62,13 +68,23 @@ def load_layout(
         raise PipelineError(f"{path}: the walls are in percent, so side_m is required.")
     units = {"metres": 1.0, "percent": (side_m or math.nan) / 100.0}
     unit_m = units[spec.units]
-    arena, islands = read_ros_map(Path(walls.ros_map)) if isinstance(walls, RosMap) else _make_walls(walls, units)
-    starts = (Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
+    arena, solids = _read_map(walls) if isinstance(walls, RosMap) else _make_walls(walls, units)
+    starts = tuple(Pose(robot.x * unit_m, robot.y * unit_m, math.radians(robot.heading_deg)) for robot in spec.robots)
     places = _choose_places(spec.boxes, box_places, path)
     boxes = [_make_box(box, at, unit_m, box_side_m or box.side_m) for box, at in zip(spec.boxes, places, strict=True)]
-    solids = [arena, thicken(arena), *islands, *(box.corners() for box in boxes)]
-    picture = make_facades([arena, *islands])
-    return Layout(arena, tuple(islands), tuple(boxes), tuple(spec.robots), tuple(starts), make_prisms(solids), picture)
+    islands = [outline for solid in solids for outline in solid]
+    outlines = [arena, thicken(arena), *islands, *(box.corners() for box in boxes)]
+    _check_size(outlines, path)
+    pictures = tuple(make_facades([arena, *islands]))
+    return Layout(arena, tuple(solids), tuple(boxes), tuple(spec.robots), starts, make_prisms(outlines), pictures)
+
+
+def _check_size(outlines: Sequence[Outline], path: Path) -> None:
+    corners = sum(len(outline) for outline in outlines)
+    if corners > MOST_CORNERS:
+        raise PipelineError(
+            f"{path}: walls and boxes have {corners:,} corners together; {MOST_CORNERS:,} are allowed. Leave some out."
+        )
 
 
 def _choose_places(boxes: Sequence[Box], places: Sequence[Point], path: Path) -> Sequence[Point]:
@@ -82,9 +98,14 @@ def _choose_places(boxes: Sequence[Box], places: Sequence[Point], path: Path) ->
     return places
 
 
-def _make_walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[Outline]]:
+def _read_map(walls: RosMap) -> tuple[Outline, list[tuple[Outline, ...]]]:
+    arena, outlines = read_ros_map(Path(walls.ros_map))
+    return arena, [tuple(outlines)]
+
+
+def _make_walls(walls: Walls, units: Mapping[str, float]) -> tuple[Outline, list[tuple[Outline, ...]]]:
     unit_m = units[walls.units]
-    return _make_outline(walls.arena, unit_m), [_make_outline(shape, unit_m) for shape in walls.islands.values()]
+    return _make_outline(walls.arena, unit_m), [(_make_outline(shape, unit_m),) for shape in walls.islands.values()]
 
 
 def _make_outline(shape: Circle | list[Point], unit_m: float) -> Outline:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from tutorstudent.core.roles.world import Point
@@ -15,6 +16,10 @@ HEIGHT_M = 0.5
 RING_M = 0.2
 """Thickness of the wall round an arena."""
 CIRCLE_SIDES = 128
+MOST_CORNERS = 60_000
+"""Of all outlines of a scene: pybullet takes 131,072 vertices in a mesh, and a corner has two."""
+MOST_FACADES = 16_000
+"""Sides that are drawn with one mesh; each has eight vertices."""
 
 
 class Mesh(NamedTuple):
@@ -39,20 +44,25 @@ def make_prisms(outlines: Iterable[Sequence[Point]]) -> Mesh:
     return Mesh(vertices, indices)
 
 
-def make_facades(outlines: Iterable[Sequence[Point]]) -> Mesh:
-    """Return the same faces for a renderer: flat, and seen from both sides."""
+def make_facades(outlines: Iterable[Sequence[Point]]) -> Iterator[Mesh]:
+    """Yield the same faces for a renderer: flat, and seen from both sides."""
+    sides = ((a, b) for outline in outlines for a, b in zip(outline, [*outline[1:], outline[0]], strict=True))
+    while some := list(itertools.islice(sides, MOST_FACADES)):
+        yield _make_facade(some)
+
+
+def _make_facade(sides: Iterable[tuple[Point, Point]]) -> Mesh:
     vertices: list[Vertex] = []
     indices: list[int] = []
     normals: list[Vertex] = []
-    for outline in outlines:
-        for (x, y), (u, v) in zip(outline, [*outline[1:], outline[0]], strict=True):
-            length = math.hypot(u - x, v - y) or 1.0
-            for side in (1.0, -1.0):
-                first = len(vertices)
-                vertices += [(x, y, 0.0), (u, v, 0.0), (u, v, HEIGHT_M), (x, y, HEIGHT_M)]
-                normals += [(side * (v - y) / length, side * (x - u) / length, 0.0)] * 4
-                corners = (0, 1, 2, 0, 2, 3) if side > 0 else (0, 2, 1, 0, 3, 2)
-                indices += [first + corner for corner in corners]
+    for (x, y), (u, v) in sides:
+        length = math.hypot(u - x, v - y) or 1.0
+        for side in (1.0, -1.0):
+            first = len(vertices)
+            vertices += [(x, y, 0.0), (u, v, 0.0), (u, v, HEIGHT_M), (x, y, HEIGHT_M)]
+            normals += [(side * (v - y) / length, side * (x - u) / length, 0.0)] * 4
+            corners = (0, 1, 2, 0, 2, 3) if side > 0 else (0, 2, 1, 0, 3, 2)
+            indices += [first + corner for corner in corners]
     return Mesh(vertices, indices, normals)
 
 

@@ -1,37 +1,56 @@
-"""Occupancy maps as ROS's map_server writes them: a YAML file beside a PGM or PNG image."""
+"""Occupancy maps as ROS's map_server writes and reads them: a YAML file beside an image.
+
+ROS 1 and ROS 2 differ in details; where they do, docs/fidelity.md says whom we follow.
+"""
 
 from __future__ import annotations
 
+import difflib
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, field_validator, model_validator
 
-from tutorstudent.core.files.yamlfile import read_yaml
+from tutorstudent.core.files.yamlfile import Document, parse_yaml, read_text
 from tutorstudent.core.roles.world import Point
+from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.checking import validate
-from tutorstudent.sims.pioneer.images import read_grey
+from tutorstudent.sims.pioneer.images import Pixels, read_pixels
+from tutorstudent.sims.pioneer.mesh import MOST_CORNERS
+from tutorstudent.sims.pioneer.outlines import Cells, Corner, count_corners, find_outlines
 from tutorstudent.sims.pioneer.scene import Spec
 from tutorstudent.sims.pioneer.scene_files import find_beside
 
-Cells = NDArray[np.bool_]
-Corner = tuple[int, int]
+SWITCH: Mapping[str, int] = {"0": 0, "no": 0, "false": 0, "off": 0, "1": 1, "yes": 1, "true": 1, "on": 1}
+"""What map_server reads as a number or as yes or no."""
 
 
 class RosMapFile(Spec):
-    """The YAML file of a map; the names are map_server's."""
+    """The YAML file of a map; the names are map_server's. It leaves other keys alone, and so do we."""
 
-    image: str
+    model_config = ConfigDict(extra="ignore")
+
+    image: str = Field(min_length=1)
     resolution: float = Field(gt=0, description="m per pixel")
     origin: tuple[float, float, float] = Field(description="x (m), y (m), yaw (rad) of the lower left corner")
     negate: Literal[0, 1] = 0
     occupied_thresh: float = Field(0.65, ge=0, le=1)
     free_thresh: float = Field(0.196, ge=0, le=1)
-    mode: Literal["trinary", "scale"] = "trinary"
+    mode: Literal["trinary", "scale", "raw"] = "trinary"
+
+    @field_validator("negate", mode="before")
+    @classmethod
+    def _read_switch(cls, value: Any) -> Any:
+        return SWITCH.get(str(value).lower(), value)
+
+    @field_validator("mode", mode="before")
+    @classmethod
+    def _read_mode(cls, value: Any) -> Any:
+        return value.lower() if isinstance(value, str) else value
 
     @model_validator(mode="after")
     def _check_order(self) -> RosMapFile:
@@ -43,75 +62,63 @@ class RosMapFile(Spec):
 def read_ros_map(path: Path) -> tuple[list[Point], list[list[Point]]]:
     """Return the outline of the whole map and the outlines of what is occupied, in metres.
 
+    A point is occupied if it is inside an odd number of the latter: a wall that goes round a room has two outlines.
     Occupied is what is darker than ``occupied_thresh``; unknown cells are free. Choice: the map's edge is a wall.
     """
-    document = read_yaml(path)
+    document = parse_yaml(_replace_tabs(read_text(path)), str(path))
+    _refuse_misspelt(document)
     spec = validate(RosMapFile, document)
-    grey = read_grey(find_beside(document, ("image",), spec.image))
-    shade = grey / 255.0 if spec.negate else 1.0 - grey / 255.0
-    cells = (shade > spec.occupied_thresh)[::-1]
+    image = find_beside(document, ("image",), spec.image)
+    cells = _find_occupied(read_pixels(image), spec)[::-1]
+    corners = count_corners(cells)
+    if corners > MOST_CORNERS:
+        raise PipelineError(
+            f"{image}: the outlines of what is occupied have {corners:,} corners; {MOST_CORNERS:,} are allowed. Remove "
+            "speckles from the image, or save it with fewer pixels and a larger 'resolution'."
+        )
     height, width = cells.shape
     whole = [(0, 0), (width, 0), (width, height), (0, height)]
     return _make_metres(whole, spec), [_make_metres(loop, spec) for loop in find_outlines(cells)]
 
 
-def find_outlines(cells: Cells) -> list[list[Corner]]:
-    """Return the closed outlines of the true cells, each corner once, in cells; row 0 is the lowest.
+def _replace_tabs(text: str) -> str:
+    """Return the text with blanks for tabs, except where they indent: our YAML parser is stricter than map_server's."""
+    return re.sub(r"(?<=\S)[ \t]+", lambda blanks: " " * len(blanks.group()), text)
 
-    Outer outlines run counter-clockwise, holes clockwise. Cells that only share a corner are not joined.
+
+def _refuse_misspelt(document: Document) -> None:
+    """Raise PipelineError for an unknown key that resembles a missing one: map_server misses the latter too."""
+    if not isinstance(document.data, dict):
+        return
+    missing = RosMapFile.model_fields.keys() - document.data.keys()
+    for key in document.data.keys() - RosMapFile.model_fields.keys():
+        near = difflib.get_close_matches(key, missing, n=1, cutoff=0.75)
+        if near:
+            raise PipelineError(
+                f"{document.locate((key,))}: this key is unknown, and '{near[0]}' is missing; did you mean that?"
+            )
+
+
+def _find_occupied(pixels: Pixels, spec: RosMapFile) -> Cells:
+    """Return which pixels are occupied.
+
+    As in map_server, ``trinary`` takes transparency for one more colour, ``scale`` takes what is not opaque as unknown,
+    and in ``raw`` the values are occupancies in percent.
     """
-    following = _find_edges(cells)
-    loops = []
-    while following:
-        loop = list(_follow_loop(following))
-        loops.append([here for before, here, after in _walk_round(loop) if _bends(before, here, after)])
-    return loops
-
-
-def _find_edges(cells: Cells) -> dict[Corner, list[Corner]]:
-    """Return, for each corner, where the outline goes from there, the occupied cell on its left."""
-    padded = np.pad(cells, 1)
-    inner = padded[1:-1, 1:-1]
-    sides = (
-        (padded[:-2, 1:-1], (0, 0), (1, 0)),
-        (padded[1:-1, 2:], (1, 0), (1, 1)),
-        (padded[2:, 1:-1], (1, 1), (0, 1)),
-        (padded[1:-1, :-2], (0, 1), (0, 0)),
-    )
-    following: dict[Corner, list[Corner]] = {}
-    for neighbour, (a, b), (c, d) in sides:
-        for y, x in np.argwhere(inner & ~neighbour).tolist():
-            following.setdefault((x + a, y + b), []).append((x + c, y + d))
-    return following
-
-
-def _follow_loop(following: dict[Corner, list[Corner]]) -> Iterator[Corner]:
-    """Take one closed outline out of the edges; where two meet, turn left so as to stay with the same cell."""
-    first = here = next(iter(following))
-    before = here
-    while True:
-        choices = following[here]
-        after = max(choices, key=lambda corner: _cross(before, here, corner))
-        choices.remove(after)
-        if not choices:
-            del following[here]
-        yield here
-        before, here = here, after
-        if here == first:
-            return
-
-
-def _walk_round(loop: list[Corner]) -> Iterator[tuple[Corner, Corner, Corner]]:
-    for i, here in enumerate(loop):
-        yield loop[i - 1], here, loop[(i + 1) % len(loop)]
-
-
-def _bends(before: Corner, here: Corner, after: Corner) -> bool:
-    return _cross(before, here, after) != 0
-
-
-def _cross(before: Corner, here: Corner, after: Corner) -> int:
-    return (here[0] - before[0]) * (after[1] - here[1]) - (here[1] - before[1]) * (after[0] - here[0])
+    values, most, alpha = pixels
+    if spec.mode == "trinary" and alpha is not None:
+        values, most = values + alpha.astype(np.uint16), most + 255
+    light = np.arange(most + 1) / most
+    dark = light if spec.negate else 1.0 - light
+    if spec.mode == "raw":
+        percent = 255.0 * (1.0 - dark)
+        occupied = (percent > 100.0 * spec.occupied_thresh) & (percent <= 100.0)
+    else:
+        occupied = dark > spec.occupied_thresh
+    cells: Cells = occupied[values]
+    if spec.mode == "scale" and alpha is not None:
+        cells &= alpha == 255
+    return cells
 
 
 def _make_metres(corners: list[Corner], spec: RosMapFile) -> list[Point]:

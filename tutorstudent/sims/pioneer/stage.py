@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tutorstudent.core.roles.world import Point
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.sims.pioneer.body import Pose, Rectangle
 from tutorstudent.sims.pioneer.bullet import Bullet, Rgba
 from tutorstudent.sims.pioneer.layout import Layout
 from tutorstudent.sims.pioneer.mesh import HEIGHT_M
 from tutorstudent.sims.pioneer.motion import FREE, WALLS, KinematicDrive, Shapes
+from tutorstudent.sims.pioneer.outlines import is_inside, make_edges
 
 PAINT: dict[str, Rgba] = {
     "red": (0.85, 0.1, 0.1, 1.0),
@@ -38,9 +38,12 @@ class Stage:
         bullet.clear()
         self._bullet = bullet
         self._layout = layout
+        self._arena = make_edges([layout.arena])
+        self._solids = [make_edges(solid) for solid in layout.solids]
         self.walls = bullet.add_walls(layout.mesh)
         self.shapes = Shapes(bullet, [bullet.add_robot_shape(PAINT[robot.colour]) for robot in layout.robots])
-        bullet.add_wall_picture(layout.picture, PAINT["grey"])
+        for picture in layout.pictures:
+            bullet.add_wall_picture(picture, PAINT["grey"])
         self.boxes = tuple(
             bullet.add_picture(_make_size(box), _make_pose(box), PAINT[box.colour]) for box in layout.boxes
         )
@@ -63,9 +66,9 @@ class Stage:
 
     def _find_taken(self, probe: KinematicDrive, index: int, pose: Pose) -> str:
         here = (pose.x_m, pose.y_m)
-        if not is_inside(here, self._layout.arena):
+        if not is_inside(here, self._arena):
             return "that is outside the arena"
-        if any(is_inside(here, solid) for solid in self._layout.islands):
+        if any(is_inside(here, solid) for solid in self._solids):
             return "that is inside an island"
         touched = probe.touches(index)
         if touched == FREE:
@@ -79,17 +82,3 @@ def _make_size(box: Rectangle) -> tuple[float, float, float]:
 
 def _make_pose(box: Rectangle) -> Pose:
     return Pose(box.x_m, box.y_m, box.heading_rad)
-
-
-def is_inside(point: Point, outline: Sequence[Point]) -> bool:
-    """Return whether a point lies inside a closed outline.
-
-    >>> is_inside((1, 1), [(0, 0), (2, 0), (2, 2), (0, 2)]), is_inside((3, 1), [(0, 0), (2, 0), (2, 2), (0, 2)])
-    (True, False)
-    """
-    x, y = point
-    crossings = 0
-    for (x0, y0), (x1, y1) in zip(outline, [*outline[1:], outline[0]], strict=True):
-        if (y0 > y) != (y1 > y):
-            crossings += x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-    return crossings % 2 == 1
