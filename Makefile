@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check fix format lint types quick tests slow soak mutants bench install hooks docs clean \
+.PHONY: help demo picture compare test check fix format lint types quick lowest tests slow soak mutants bench install hooks docs clean \
 	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
 
 help: ## say what there is
@@ -111,6 +111,15 @@ QUICK := not (slow or process or study or simulator or types)
 
 quick: $(VENV)/.dev ## in less than a minute: the tests without processes, studies, long simulations and mypy
 	$(BIN)/python -m pytest -n $(WORKERS) -m '$(QUICK)'
+
+LOWEST := $(VENV)/lowest
+
+lowest: | $(VENV)/bin/python ## the quick tests with the lowest versions that pyproject.toml admits, in a venv of their own
+	$(PYTHON) -m venv --clear $(LOWEST)
+	$(LOWEST)/bin/python -m pip install --quiet --disable-pip-version-check uv
+	$(LOWEST)/bin/uv pip install --quiet --python $(LOWEST)/bin/python --resolution lowest-direct \
+		-e '.[dev]' -e examples/controllers
+	$(LOWEST)/bin/python -m pytest -n $(WORKERS) -m '$(QUICK)'
 
 tests: $(VENV)/.dev ## all tests but the slow ones
 	$(BIN)/python -m pytest -n $(WORKERS)
