@@ -41,3 +41,9 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
                 for owner, name in calls:
                     patch.setattr(owner, name, refuse(marker))
         return (yield)
+
+
+@pytest.fixture(autouse=True)
+def _one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A command that is called in the tests' own process stays in it."""
+    monkeypatch.setattr("tutorstudent.command.supervising.can_fork", lambda: False)

@@ -6,6 +6,7 @@ there and says what happened. Where the system cannot fork, there is only one pr
 
 from __future__ import annotations
 
+import _thread
 import os
 import signal
 import sys
@@ -51,7 +52,8 @@ def watch_over(words: Sequence[str]) -> int | None:
 
 def can_fork() -> bool:
     """Return whether a second process can take over as this one is."""
-    return hasattr(os, "fork") and threading.active_count() == 1
+    # Not threading.active_count(): that does not know the threads that others started without it.
+    return hasattr(os, "fork") and _thread._count() == 0
 
 
 def _stop(number: int, _: FrameType | None) -> NoReturn:
