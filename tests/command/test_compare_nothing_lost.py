@@ -89,7 +89,9 @@ def test_no_process_outlives_a_study(place: Path, by: int) -> None:
     assert process.stderr is not None
     stalled = 0
     while stalled < 2:
-        stalled += "stalled" in process.stderr.readline()
+        line = process.stderr.readline()
+        assert line, "the study ended before both workers stalled"
+        stalled += line.count("stalled")  # two workers may write into one line
     assert len(workers_of(place)) >= 3
     os.kill(process.pid, by)
     process.communicate(timeout=60)
