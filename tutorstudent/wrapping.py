@@ -9,7 +9,7 @@ import numpy as np
 
 from tutorstudent.core.deciding.function_tutor import as_tutor
 from tutorstudent.core.deciding.loop import Loop
-from tutorstudent.core.files.defaults import ONE_KIND, has_one_kind
+from tutorstudent.core.files.defaults import FACTOR, ONE_KIND, SLEW, has_one_kind
 from tutorstudent.core.files.pipeline import Pipeline
 from tutorstudent.core.files.yamlfile import Document
 from tutorstudent.core.roles.interfaces import Tutor
@@ -29,8 +29,8 @@ def wrap(
     condition: Predicate | Condition[Any] | None = None,
     conditions: Sequence[Predicate | Condition[Any]] = (),
     ranges: Ranges = (),
-    factor: float | None = 1.3,
-    slew: int | None = 1,
+    factor: float | None = FACTOR,
+    slew: int | None = SLEW,
     seed: int = 0,
     **slots: Any,
 ) -> Loop:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests import distributions
 from tutorstudent.core.files.loading import ALLOW_LIST
 from tutorstudent.core.files.registry import find_registry
 
@@ -30,12 +31,8 @@ def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install
     monkeypatch.setenv(ALLOW_LIST, "acme")
 
     def make(source: str) -> Path:
-        about = tmp_path / "acme-2.1.dist-info"
-        about.mkdir()
-        (about / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 2.1\n")
-        (about / "entry_points.txt").write_text("[tutorstudent]\nacme = acme_plugin\n")
-        (module := tmp_path / "acme_plugin.py").write_text(source)
-        return module
+        distributions.install(tmp_path, "acme", source, version="2.1", module="acme_plugin")
+        return tmp_path / "acme_plugin.py"
 
     yield make
     sys.modules.pop("acme_plugin", None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -10,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+import tutorstudent as ts
 from tests.core.toys import Push
 from tutorstudent.core.roles.binding import Binding
 from tutorstudent.core.words.errors import ContractError, PipelineError, UnreadableState
@@ -183,3 +185,9 @@ def test_its_examples_are_states_that_it_reads(of):
     encoder.bind(Binding(1, "student.encoder", Push))
     coded = [encoder.encode(Moment(0, state, Push(kind="push", force=0.2), ""))[3:] for state in encoder.examples()]
     assert [0.0, 1.0, 3.0] == [float(code.sum()) for code in coded]
+
+
+def test_a_name_that_a_defaultdict_would_make_up_is_an_error_in_the_first_decision() -> None:
+    loop = ts.wrap(lambda state: 0.5, action=ts.scalar(-1, 1), ranges={"speeed": (0, 1)})
+    with pytest.raises(ts.UnreadableState, match="defaultdict has no 'speeed'.*did you mean 'speed'"):
+        loop.step(defaultdict(float, speed=0.5))

@@ -18,6 +18,7 @@ from tutorstudent.core.roles.part import Component, Field
 from tutorstudent.core.words.actions import ComponentSpec
 from tutorstudent.core.words.errors import ContractError, UnreadableState, list_names, quote, suggest
 from tutorstudent.core.words.forms import is_number
+from tutorstudent.core.words.named_form import get_member
 from tutorstudent.core.words.proposals import require_number
 from tutorstudent.core.words.records import Moment
 from tutorstudent.core.words.snapshots import Hidden, list_members
@@ -141,7 +142,7 @@ def _reach(state: Any, name: str) -> Any:
     found = state
     for step in name.split("."):
         try:
-            found = found[step] if isinstance(found, Mapping) else getattr(found, step)
+            found = get_member(found, step)
         except (AttributeError, KeyError):
             known = list_members(found)
             has = f"; it has {list_names(known)}" if known else ""

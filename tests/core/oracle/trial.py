@@ -199,11 +199,16 @@ def run(
 ) -> Tally:
     """Run trials until so many decisions were taken, and write into the tally what is seen."""
     random, tally = Random(seed), tally or Tally()
-    decisions += tally.decisions
     plot = Plot(random, chosen)
     plot.done = tally.deeds
+    take_trials(tally, decisions, lambda: Trial(random, tally, plot, make_engine, mischief).run(trial_length), progress)
+    return tally
+
+
+def take_trials(tally: Any, decisions: int, take: Callable[[], None], progress: Callable[[int], None]) -> None:
+    """Take one trial after the other until so many more decisions were taken."""
+    decisions += tally.decisions
     while tally.decisions < decisions:
         before = tally.decisions
-        Trial(random, tally, plot, make_engine, mischief).run(trial_length)
+        take()
         progress(tally.decisions - before)
-    return tally

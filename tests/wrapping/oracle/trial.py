@@ -12,6 +12,7 @@ from tests.core.oracle.behaviours import PROPAGATION
 from tests.core.oracle.branches import count_turn
 from tests.core.oracle.judge import Breach
 from tests.core.oracle.plot import Deed, Plot
+from tests.core.oracle.trial import take_trials
 from tests.wrapping.oracle import judge as judging
 from tests.wrapping.oracle.cast import (
     BEHAVIOURS,
@@ -235,12 +236,12 @@ def run(
 ) -> Tally:
     """Run trials until so many decisions were taken, and write into the tally what is seen."""
     random, tally = Random(seed), tally or Tally()
-    decisions += tally.decisions
     plot = Plot(random, chosen, BEHAVIOURS)
     plot.done = tally.deeds
-    while tally.decisions < decisions:
-        before = tally.decisions
+
+    def take() -> None:
         Trial(random, tally, plot, make_loop, mischief).run(trial_length)
         plot.take()
-        progress(tally.decisions - before)
+
+    take_trials(tally, decisions, take, progress)
     return tally

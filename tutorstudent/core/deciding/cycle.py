@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Generic
 
 from tutorstudent.core.deciding.checking import check_records, renew_records, seal
@@ -97,10 +97,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         self._guard.attend(self.decisions)
         self._judge.forget()
         self._limiter.forget()
-
-    def call_tutor(self, function: Callable[[], None]) -> None:
-        """Call something of the tutor's; it may raise unless the owner wrote down what to do then."""
-        self._seat.call(function)
+        self._seat.reset()
 
     def _remember(self, turn: Turn[StateT, ActionT]) -> None:
         shown = turn._moment.tutor_action

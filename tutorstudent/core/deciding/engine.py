@@ -31,7 +31,7 @@ from tutorstudent.core.deciding.wiring import (
     check_wiring,
 )
 from tutorstudent.core.roles.binding import Binding
-from tutorstudent.core.roles.interfaces import ActionSelector, Amplifier, Evaluator, Student, Tutor
+from tutorstudent.core.roles.interfaces import SLOTS, ActionSelector, Amplifier, Evaluator, Student, Tutor
 from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Component, EnginePart, Learned, find_listeners
 from tutorstudent.core.words.actions import ActionT
@@ -126,8 +126,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
 
     def slots(self) -> Iterator[tuple[str, Component]]:
         """Yield every part with its slot."""
-        for slot in ("tutor", "student", "selector", "amplifier", "evaluator"):
-            yield slot, getattr(self, slot)
+        yield from ((slot, getattr(self, slot)) for slot in SLOTS)
         yield from zip(self._labels, self.conditions, strict=True)
 
     def step(self, state: StateT, shown: StateT | None = None) -> ActionT:
@@ -201,7 +200,6 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         """Begin a trial. Decision count, learning phase and what was learned stay."""
         with self._turnstile:
             self._cycle.begin_trial()
-            self._cycle.call_tutor(self.tutor.reset)
             others = [(slot, part) for slot, part in self.slots() if slot != "tutor"]
             self._guard.call_all((slot, part.reset) for slot, part in others if isinstance(part, EnginePart))
 

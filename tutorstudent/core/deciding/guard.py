@@ -17,6 +17,7 @@ from tutorstudent.core.words.records import Incident
 OnIncident = Literal["continue", "raise"]
 REMEMBERED = 1000
 _find_trace = BaseException.__dict__["__traceback__"].__get__
+LIMIT_CHANGED = "mutated", "Python's recursion limit was changed; it is the owner's."
 MESSAGE = 500
 """Longest message of an incident, in characters."""
 
@@ -78,7 +79,7 @@ class Guard:
         """Put Python's recursion limit back and raise a `Breach`, where a part changed it."""
         if getrecursionlimit() != self.recursion_limit:
             setrecursionlimit(self.recursion_limit)
-            raise Breach("mutated", "Python's recursion limit was changed; it is the owner's.")
+            raise Breach(*LIMIT_CHANGED)
 
     def call(self, part: str, function: Callable[[], Any]) -> None:
         """Call something that belongs to a part; what it raises is an incident."""
@@ -114,8 +115,8 @@ class Blame:
         if error is None:
             if getrecursionlimit() == self._guard.recursion_limit:
                 return False
-            setrecursionlimit(self._guard.recursion_limit)
-            error = Breach("mutated", "Python's recursion limit was changed; it is the owner's.")
+            setrecursionlimit(self._guard.recursion_limit)  # not by a call: it may be one too many
+            error = Breach(*LIMIT_CHANGED)
         elif is_owners(error):
             return False
         self.failed = True

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import logging
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from tutorstudent.core.deciding.engine import Engine
@@ -80,11 +82,8 @@ class Loop:
                 )
 
     def _warn(self, text: str, *words: object) -> None:
-        try:
+        with _command_first():
             logging.getLogger("tutorstudent").warning(text, *words)
-        except BaseException as error:  # whatever the owner's logging is made of, the command is more important
-            if is_owners(error):
-                raise
 
     def _look(self, watch: Watch) -> None:
         turn = self.engine.last
@@ -102,11 +101,8 @@ class Loop:
     def _point_out(self, notice: Notice) -> None:
         if logging.getLogger("tutorstudent").hasHandlers():
             self._warn("%s", notice.says)
-        try:
+        with _command_first():
             warnings.warn(notice.says, TutorStudentWarning, stacklevel=4)
-        except BaseException as error:  # whoever makes errors of warnings: the command is more important
-            if is_owners(error):
-                raise
 
     def executed(self, command: Any) -> None:
         """Say what was really executed instead of the last command."""
@@ -120,3 +116,13 @@ class Loop:
     def void(self, reason: str) -> None:
         """Say that the last command must teach nothing (an emergency stop, teleoperation)."""
         self.engine.void(reason)
+
+
+@contextmanager
+def _command_first() -> Iterator[None]:
+    """Let nothing but a stop from outside come out: the command matters more than any logging or warning."""
+    try:
+        yield
+    except BaseException as error:
+        if is_owners(error):
+            raise

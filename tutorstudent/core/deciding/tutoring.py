@@ -50,10 +50,13 @@ class TutorSeat(Generic[StateT, ActionT]):
 
     def tell(self, turn: Turn[StateT, ActionT]) -> None:
         """Tell the tutor what was really executed; for tutors that listen (`hears`)."""
-        self.call(lambda: self._tutor.executed(rebuild(turn._decision.executed)))
+        self._call(lambda: self._tutor.executed(rebuild(turn._decision.executed)))
 
-    def call(self, function: Callable[[], Any]) -> None:
-        """Call something of the tutor's; it may raise unless the owner wrote down what to do then."""
+    def reset(self) -> None:
+        """Begin a trial."""
+        self._call(self._tutor.reset)
+
+    def _call(self, function: Callable[[], Any]) -> None:
         if self._on_failure is None:
             function()
         else:

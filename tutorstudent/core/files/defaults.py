@@ -25,11 +25,12 @@ DEFAULTS: dict[str, Any] = {
 }
 """Whatever the tutor."""
 CHANGE = "multiplicative"
+FACTOR, SLEW = 1.3, 1
 ONE_KIND: dict[str, Any] = {
     "student": {"use": "table", "encoder": {"use": "ranges", "ranges": []}, "codec": "level-ampbit"},
     "selector": "modifier",
     "amplifier": {"use": "learning-phase", "decisions": 0, "change": CHANGE},
-    "limits": {"factor": 1.3, "slew": 1},
+    "limits": {"factor": FACTOR, "slew": SLEW},
 }
 """Of a tutor whose actions are of one kind."""
 

@@ -14,7 +14,7 @@ from tutorstudent.core.files.durable import write_whole
 from tutorstudent.core.roles.world import Step
 from tutorstudent.core.running.arrays import Arrays, load_arrays, save_arrays
 from tutorstudent.core.running.observers import Observer
-from tutorstudent.core.running.recorder import ROWS, Recorder
+from tutorstudent.core.running.recorder import NAMES, Recorder
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.core.words.turn import Turn
 
@@ -80,7 +80,8 @@ def join_blocks(folder: Path) -> int:
     if not blocks:
         return 0
     newest: Arrays = blocks[-1]  # names are numbered as they come, so the newest block has those of all
-    joined = newest | {name: np.concatenate([block[name] for block in blocks]) for name in ROWS}
+    rows = [name for name in newest if not name.endswith(NAMES)]
+    joined = newest | {name: np.concatenate([block[name] for block in blocks]) for name in rows}
     save_arrays(folder / DECISIONS, joined)
     remove_blocks(folder)
     return len(joined["kind"])

@@ -38,8 +38,8 @@ HEADS = (
     "trial_ended",
 )
 """The whole numbers of a decision."""
-ROWS = (*HEADS, "said", "executed", "violated", "events", "measures")
-"""The columns with an entry for each decision; all others hold names."""
+NAMES = "_names"
+"""Ends the columns that hold names; all others have an entry for each decision."""
 
 
 class Recorder(Observer):

@@ -108,16 +108,22 @@ def quote(value: object) -> str:
     return text if len(text) <= 100 else f"{text[:97]}..."
 
 
+_read_name = type.__dict__["__name__"].__get__
+"""Reads the name of a class, whatever its metaclass says."""
+
+
 def say_error(error: BaseException) -> str:
     r"""Return what an exception is and says, as one line that ends a sentence; however it behaves when it is asked.
 
     >>> say_error(ValueError("no\nroom.")), say_error(KeyError())
     ('ValueError: no room.', 'KeyError.')
     """
-    name = type(error).__name__
+    name = _read_name(type(error))
     try:
         said = " ".join(str(error).split()).rstrip(".")
-    except Exception:
+    except KeyboardInterrupt:
+        raise
+    except BaseException:
         said = "its message cannot be read"
     return f"{name}: {said}." if said else f"{name}."
 

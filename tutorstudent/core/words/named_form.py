@@ -13,6 +13,7 @@ from tutorstudent.core.words.backup import read_members
 from tutorstudent.core.words.errors import ContractError, list_names, quote, suggest
 from tutorstudent.core.words.forms import Form, Numbers, fit_number, is_number, match_type, read_float
 from tutorstudent.core.words.sameness import is_same
+from tutorstudent.core.words.snapshots import list_members
 
 Path = tuple[str, ...]
 
@@ -44,7 +45,7 @@ class NamedForm(Form):
     def _read_number(self, command: Any, path: Path) -> float:
         found = command
         for step in path:
-            found = _get_member(found, step, command)
+            found = _find_member(found, step, command)
         name = f"'{'.'.join(path)}'"
         if not is_number(found):
             raise ContractError(
@@ -53,12 +54,11 @@ class NamedForm(Form):
         return read_float(found, name, command)
 
 
-def _get_member(owner: Any, step: str, command: Any) -> Any:
+def _find_member(owner: Any, step: str, command: Any) -> Any:
     try:
-        return _get(owner, step)
+        return get_member(owner, step)
     except (AttributeError, KeyError):
-        keys = owner if isinstance(owner, Mapping) else [name for name in dir(owner) if not name.startswith("_")]
-        known = [str(key) for key in keys]
+        known = list_members(owner)
         raise ContractError(
             f"the controller's command is {quote(command)}: {type(owner).__name__} has no '{step}'"
             f"{suggest(step, known)}; it has {list_names(known)}."
@@ -69,7 +69,8 @@ def _get_member(owner: Any, step: str, command: Any) -> Any:
         ) from error
 
 
-def _get(owner: Any, step: str) -> Any:
+def get_member(owner: Any, step: str) -> Any:
+    """Return a mapping's key or an object's attribute; raises KeyError or AttributeError where there is none."""
     if not isinstance(owner, Mapping):
         return getattr(owner, step)
     if step not in owner:  # a defaultdict would make it up, and keep it
@@ -79,7 +80,7 @@ def _get(owner: Any, step: str) -> Any:
 
 def _reach(owner: Any, path: Path) -> Any:
     for step in path:
-        owner = _get(owner, step)
+        owner = get_member(owner, step)
     return owner
 
 
@@ -120,7 +121,7 @@ def _replace_numbers(owner: Any, numbers: Mapping[Path, float]) -> Any:
         inside.setdefault(step, {})[tuple(rest)] = number
     changes = {}
     for step, below in inside.items():
-        own = _get(owner, step)
+        own = get_member(owner, step)
         changes[step] = match_type(own, below[()]) if () in below else _replace_numbers(own, below)
     return _replace_members(owner, changes)
 

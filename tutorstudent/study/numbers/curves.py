@@ -40,8 +40,8 @@ def read_series(arrays: Arrays, name: str) -> Curve | None:
     """Return a measure's numbers, shape (decisions,), NaN where there was none; None if the run did not record it."""
     if name.startswith(VIOLATED):
         return _find_column(arrays, "violated", "condition_names", name.removeprefix(VIOLATED))
-    if name in TALLIED:
-        return TALLIED[name](arrays)
+    if name in SERIES:
+        return SERIES[name](arrays)
     measured = _find_column(arrays, "measures", "measure_names", name)
     return read_event(arrays, name) if measured is None else measured
 
@@ -91,7 +91,7 @@ def find_matches(arrays: Arrays) -> Curve | None:
     return np.asarray(proposed == arrays["kind"], dtype=np.float64) if np.any(proposed != NO_LEVEL) else None
 
 
-TALLIED: dict[str, Callable[[Arrays], Curve | None]] = {
+SERIES: dict[str, Callable[[Arrays], Curve | None]] = {
     "violated": lambda arrays: np.asarray(arrays["violated"].any(axis=1), dtype=np.float64),
     "mean_level": read_level,
     "executed_ratio": lambda arrays: arrays.get("executed_ratio"),  # runs of earlier versions have none
