@@ -107,9 +107,9 @@ lint: $(VENV)/.dev ## ruff's rules
 types: $(VENV)/.dev ## mypy --strict
 	$(BIN)/mypy
 
-QUICK := not (slow or process or study or simulator or types)
+QUICK := not (slow or process or study or simulator or types or soak)
 
-quick: $(VENV)/.dev ## in less than a minute: the tests without processes, studies, long simulations and mypy
+quick: $(VENV)/.dev ## in less than a minute: the tests without processes, studies, long simulations, soaks and mypy
 	$(BIN)/python -m pytest -n $(WORKERS) -m '$(QUICK)'
 
 LOWEST := $(VENV)/lowest

@@ -59,7 +59,9 @@ def wrap(
         )
     found = [condition, *conditions] if condition is not None else list(conditions)
     tutor = as_tutor(controller, action)
-    slots["limits"] = {"factor": factor, "slew": slew} | slots.get("limits", {})
+    limits = slots.get("limits", {})
+    if isinstance(limits, Mapping):  # anything else is refused with the pipeline
+        slots["limits"] = {"factor": factor, "slew": slew} | dict(limits)
     pipeline = Pipeline(Document("wrap()", {"seed": seed} | _make_defaults(tutor, ranges) | slots, {}))
     return Loop(pipeline.engine(tutor=tutor, conditions=_name_conditions(found)))
 

@@ -26,6 +26,7 @@ def _silence() -> Iterator[None]:
     logging.disable(logging.NOTSET)
 
 
+@pytest.mark.soak
 def test_the_contract_of_wrap_holds_whatever_parts_and_types_do() -> None:
     tally = run(11, 20_000)
     assert not tally.breaches, tally.report()

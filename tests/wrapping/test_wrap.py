@@ -199,3 +199,9 @@ def test_an_own_action_class_goes_through_as_it_is() -> None:
 def test_a_vector_has_a_bound_for_every_number(low: Any, high: Any) -> None:
     with pytest.raises(ts.ContractError, match="expected 2 of each"):
         ts.vector(low, high, 2)
+
+
+@pytest.mark.parametrize("limits", [None, 0.8, ts.Limits(factor=1.3)], ids=repr)
+def test_limits_that_are_no_mapping_are_a_sentence(limits: Any) -> None:
+    with pytest.raises(ts.PipelineError, match="limits.* write a mapping, as in limits: {cap: 0.8}"):
+        ts.wrap(half, action=UNIT, limits=limits)
