@@ -22,9 +22,10 @@ pytestmark = [pytest.mark.process, pytest.mark.study]
 def finished(folder: Path) -> dict[Path, tuple[int, int]]:
     """Return inode and time of change of every complete run."""
     found = {}
-    for path in folder.rglob("run.json"):
-        if not any(part.startswith(".") for part in path.parts):
-            state = path.stat()
+    for parent, folders, files in os.walk(folder):  # unlike a glob it passes over folders that go meanwhile
+        folders[:] = [below for below in folders if not below.startswith(".")]
+        if "run.json" in files:
+            state = (path := Path(parent, "run.json")).stat()
             found[path] = state.st_ino, state.st_mtime_ns
     return found
 

@@ -108,6 +108,18 @@ def lock_folder(folder: Path, busy: str = "") -> Iterator[None]:
         os.close(descriptor)
 
 
+def find_files(folder: Path, name: str) -> list[Path]:
+    """Return every file of a name below a folder, sorted, but for what is still being written.
+
+    Another process may be at work there: a folder that goes meanwhile is passed over.
+    """
+    found = []
+    for parent, folders, files in os.walk(folder):
+        folders[:] = [below for below in folders if not below.endswith(PARTIAL)]
+        found += [Path(parent, name)] if name in files else []
+    return sorted(found)
+
+
 def remove_partial(folder: Path) -> None:
     """Remove what a killed process had not finished writing, at any depth."""
     for path in sorted(folder.rglob(f".*{PARTIAL}")):

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.watching import Notice
+from tutorstudent.core.files.durable import find_files
 from tutorstudent.core.files.journal import DECISIONS, RECORD, is_complete, load_record
 from tutorstudent.core.running.arrays import Arrays, load_arrays
 from tutorstudent.core.words.errors import ContractError
@@ -84,7 +85,7 @@ class Study(NamedTuple):
 
     def spent(self) -> Spent:
         """Return the seconds that the study took: wall of all its sittings, CPU of all complete runs, searches too."""
-        cpu_s = [load_timing(path.parent).cpu_s for path in sorted(self.folder.rglob(TIMING))]
+        cpu_s = [load_timing(path.parent).cpu_s for path in find_files(self.folder, TIMING)]
         return Spent(sum(read_sittings(self.folder)), sum(found for found in cpu_s if math.isfinite(found)))
 
     def sittings(self) -> int:
