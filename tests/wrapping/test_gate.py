@@ -401,3 +401,16 @@ def test_the_first_look_at_a_command_leaves_it_as_it_was() -> None:
     loop = ts.wrap(lambda _: own, action=ts.scalar(-1, 1, read=lambda c: c.speed, write=write), student="silent")
     assert loop.step(0.0) is own
     assert "eco" == own.mode
+
+
+@pytest.mark.parametrize("own", [np.float16(6e-8), np.float16(1000.0)])
+def test_a_level_that_the_owners_precision_swallows_is_level_0(own: Any) -> None:
+    student = {"use": "constant", "level": 1}
+    loop = ts.wrap(
+        lambda state: own, action=ts.scalar(-1e5, 1e5), student=student, amplifier={"use": "never", "amount": 1e-4}
+    )
+    assert own == loop.step(0.0)
+    assert 0 == loop.engine.pending.resulting.level
+    loop.step(0.0)
+    assert "executed" == loop.engine.last.limited_by
+    assert not loop.engine.incidents

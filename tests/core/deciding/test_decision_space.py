@@ -162,11 +162,11 @@ def test_the_learning_phase_overrules_the_ampbit_for_its_decisions_and_not_one_m
 @pytest.mark.parametrize("streamlined", [False, True], ids=["3.2.3", "5.2.1"])
 @pytest.mark.parametrize("ampbit", [0, 1])
 @pytest.mark.parametrize("learning_phase", [0, 100])
-def test_a_stop_is_never_raised(streamlined: bool, ampbit: int, learning_phase: int) -> None:
+def test_a_stop_is_never_raised_and_has_level_0(streamlined: bool, ampbit: int, learning_phase: int) -> None:
     engine = engine_for(streamlined, learning_phase)
     for number in LEVELS:
         engine.step(Period(number, False, "stop", SMALL["stop"], Said("stop", number, ampbit)))
-        assert number == engine.pending.resulting.level
+        assert 0 == engine.pending.selected.level == engine.pending.resulting.level
         assert not engine.pending.amplified
 
 

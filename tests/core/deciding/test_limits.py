@@ -8,10 +8,12 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
+import tutorstudent as ts
 from tests.core.oracle.scripted import LevelStudent, ScriptedTutor, engine, forward, level
 from tests.core.oracle.shapes import Oven, Valve
 from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.deciding.reach import find_highest
 from tutorstudent.core.roles.leaves import change
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.proposals import LevelProposal
@@ -62,8 +64,8 @@ def test_what_the_cap_takes_away_was_not_amplified() -> None:
 
 @pytest.mark.parametrize(
     ("translation", "factor", "expected"),
-    [(0.4, 1.5, 2), (0.4, 1.0, 0), (0.4, 1.3, 1), (0.0, 3.0, 0), (-0.3, 1.0, 6), (0.9, 1.05, 0), (0.9, 1.2, 8)],
-    ids=["two fit", "none fits", "one fits", "at zero", "through zero", "small room", "the bound keeps it"],
+    [(0.4, 1.5, 2), (0.4, 1.0, 0), (0.4, 1.3, 1), (0.0, 3.0, 0), (-0.3, 1.0, 6), (0.9, 1.05, 0), (0.9, 1.2, 1)],
+    ids=["two fit", "none fits", "one fits", "at zero", "through zero", "small room", "the bound is one level off"],
 )
 def test_the_factor_limits_the_magnitude_by_the_tutors_own(translation: float, factor: float, expected: int) -> None:
     wrapped = engine(forward(translation), level(8), limits=Limits(factor=factor))
@@ -124,16 +126,19 @@ def test_falling_back_goes_through_slew() -> None:
 
 
 def test_cap_and_factor_go_before_slew() -> None:
-    speeds = iter([0.8, 0.8, 0.2])
-    wrapped = engine(lambda state: forward(next(speeds))(state), level(8), limits=Limits(factor=2.0, slew=4))
-    assert [decided(wrapped)[1] for _ in range(3)] == [4, 8, 2]
+    speeds = iter([0.2, 0.2, 0.1])
+    wrapped = engine(lambda state: forward(next(speeds))(state), level(8), limits=Limits(factor=3.0, slew=1, cap=2.0))
+    assert [decided(wrapped)[1] for _ in range(3)] == [1, 2, 2]
+    speeds = iter([0.4, 0.4, 0.2])
+    wrapped = engine(lambda state: forward(next(speeds))(state), level(8), limits=Limits(factor=2.0, slew=2))
+    assert [decided(wrapped)[1] for _ in range(3)] == [2, 4, 2]
     assert round(wrapped.pending.executed.translation, 9) == 0.4
 
 
 def test_falling_back_goes_as_far_down_as_the_factor_asks_and_no_further() -> None:
-    speeds = iter([0.8, 0.8, 0.2])
-    wrapped = engine(lambda state: forward(next(speeds))(state), asking([8, 8]), limits=Limits(factor=1.5, slew=4))
-    assert [decided(wrapped)[1] for _ in range(3)] == [4, 8, 1]
+    speeds = iter([0.6, 0.6, 0.2])
+    wrapped = engine(lambda state: forward(next(speeds))(state), asking([8, 8]), limits=Limits(factor=1.5, slew=2))
+    assert [decided(wrapped)[1] for _ in range(3)] == [2, 3, 1]
     assert round(wrapped.pending.executed.translation, 9) == 0.3
 
 
@@ -190,3 +195,91 @@ def test_limits_are_frozen() -> None:
 def test_the_additive_change_is_the_default() -> None:
     assert isinstance(Never().change, Additive)
     assert Never().amount == 0.1
+
+
+# A recorded level is one that moved something (docs/decisions/0013)
+
+STANDING = {
+    "at its bound": (forward(1.0), 8, 0, "bounds"),
+    "one level off its bound": (forward(0.95), 8, 1, "bounds"),
+    "exactly two levels off": (forward(0.8), 8, 2, "bounds"),
+    "with nothing to move": (lambda state: DriveAction(kind="stop"), 8, 0, "nothing to move"),
+    "free": (forward(0.1), 8, 8, ""),
+}
+
+
+@pytest.mark.parametrize("case", STANDING)
+def test_a_recorded_and_taught_level_is_the_lowest_that_moves_as_far(case: str) -> None:
+    act, asked, expected, by = STANDING[case]
+    wrapped = engine(act, level(asked))
+    assert (expected, expected) == decided(wrapped)
+    wrapped.step(None)
+    lesson = wrapped.student.lessons[0]
+    assert (expected, expected) == (lesson.target.level, lesson.executed_level)
+    assert by == wrapped.last.limited_by
+
+
+@pytest.mark.parametrize("case", STANDING)
+def test_a_level_that_moves_nothing_more_was_not_amplified(case: str) -> None:
+    act, asked, expected, _ = STANDING[case]
+    wrapped = engine(act, level(asked), amplifier=LearningPhase(decisions=100))
+    assert (expected, expected) == decided(wrapped)
+    assert not wrapped.pending.amplified
+
+
+def test_slew_counts_from_the_level_that_moved_something() -> None:
+    speeds = iter([0.1, 0.1, 1.0, 0.1, 0.1])
+    wrapped = engine(lambda state: forward(next(speeds))(state), level(8), limits=Limits(slew=2))
+    assert [2, 4, 0, 2, 4] == [decided(wrapped)[1] for _ in range(5)]
+
+
+def test_a_change_that_stops_growing_has_no_levels_beyond() -> None:
+    @change("three at most")
+    def three_at_most(amplification: float, magnitude: float) -> float:
+        return min(amplification, 0.3)
+
+    wrapped = engine(forward(0.1), level(7), amplifier=Never(change=three_at_most()))
+    assert (3, 3) == decided(wrapped)
+
+
+def test_a_change_that_moves_nothing_at_all_has_level_0() -> None:
+    @change("none")
+    def none(amplification: float, magnitude: float) -> float:
+        return 0.0
+
+    wrapped = engine(forward(0.1), level(7), amplifier=Never(change=none()))
+    action = wrapped.step(None)
+    assert 0.1 == action.translation
+    assert (0, 0) == (wrapped.pending.selected.level, wrapped.pending.resulting.level)
+
+
+def test_what_somebody_took_back_has_level_0_and_says_so() -> None:
+    wrapped = engine(forward(0.1), level(3))
+    wrapped.step(None)
+    wrapped.executed(DriveAction(kind="forward", translation=0.1))
+    assert 0 == wrapped.pending.resulting.level
+    wrapped.evaluate(None)
+    assert "executed" == wrapped.last.limited_by
+
+
+HIGHEST = {
+    "the thesis's": (Additive(), 0.1, Limits(cap=0.8), 8),
+    "cap": (Additive(), 0.1, Limits(cap=0.35), 3),
+    "factor": (Multiplicative(), 0.1, Limits(factor=1.3), 3),
+    "nothing": (Multiplicative(), 0.5, Limits(factor=1.3), 0),
+    "more than eight": (Multiplicative(), 0.01, Limits(factor=1.3), 8),
+}
+
+
+@pytest.mark.parametrize("case", HIGHEST)
+def test_the_highest_level_is_the_last_one_that_the_limits_allow_for_any_command(case: str) -> None:
+    law, amount, limits, expected = HIGHEST[case]
+    assert expected == find_highest(ts.scalar(-1, 1), Never(amount=amount, change=law), limits, 8)
+
+
+def test_a_change_that_cannot_be_asked_leaves_all_levels() -> None:
+    @change("broken")
+    def broken(amplification: float, magnitude: float) -> float:
+        raise SystemExit(3)
+
+    assert 8 == find_highest(DriveAction, Never(change=broken()), Limits(), 8)

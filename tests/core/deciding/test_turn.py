@@ -132,7 +132,9 @@ LIMITED = {
     "factor": ({"cap": 8.0, "factor": 3.0}, 8, forward(0.1), "factor", 2),
     "slew": ({"slew": 1}, 8, forward(0.1), "slew", 1),
     "nothing": ({}, 3, forward(0.1), "", 3),
-    "the highest level": ({"cap": 1e6}, 10**9, forward(0.1), "highest level", 1000),
+    "a bound": ({"cap": 8.0}, 9, forward(0.75), "bounds", 3),
+    "a bound and slew": ({"cap": 8.0, "slew": 5}, 9, forward(0.75), "bounds", 3),
+    "a bound from the start": ({}, 9, forward(1.0), "bounds", 0),
 }
 
 
@@ -143,6 +145,13 @@ def test_a_turn_says_which_limit_bound(case: str) -> None:
     wrapped.step(0)
     wrapped.evaluate(1)
     assert (by, expected) == (wrapped.last.limited_by, wrapped.last.decision.resulting.level)
+
+
+def test_no_level_goes_beyond_the_highest_one() -> None:
+    wrapped = engine(forward(0.1), level(10**9), amplifier=Never(amount=1e-6), limits=Limits(cap=1e6))
+    wrapped.step(0)
+    wrapped.evaluate(1)
+    assert ("highest level", 1000) == (wrapped.last.limited_by, wrapped.last.decision.resulting.level)
 
 
 def test_a_turn_says_that_slew_held_the_level_up() -> None:
@@ -174,7 +183,7 @@ def test_the_change_is_asked_for_each_level_once() -> None:
     phase = LearningPhase(decisions=10, change=Counting())
     wrapped = engine(forward(0.1), level(3), amplifier=phase)
     wrapped.step(0)
-    assert [0.3, 0.4] == asked
+    assert [0.3, 0.2, 0.4] == asked
     assert 4 == wrapped.pending.resulting.level
 
 

@@ -203,3 +203,27 @@ def test_wrap_with_an_additive_change_is_told() -> None:
     loop = ts.wrap(lambda y: 0.2, action=UNIT, amplifier=amplifier)
     with pytest.warns(ts.TutorStudentWarning, match=r"change 'additive' .* exceeds limits.factor 1.3 of such commands"):
         assert {0.2} == {loop.step(0.0) for _ in range(ENOUGH + 1)}
+
+
+@pytest.mark.parametrize(
+    "error", [SystemExit(3), GeneratorExit(), ValueError("not now")], ids=lambda error: type(error).__name__
+)
+def test_a_change_that_raises_when_it_is_asked_at_assembly_ends_nothing(error: BaseException) -> None:
+    @ts.change("moody")
+    def moody(amplification: float, magnitude: float) -> float:
+        raise error
+
+    loop = ts.wrap(
+        lambda state: 0.5, action=ts.scalar(-1, 1), student=Constant(level=3), amplifier=Never(change=moody())
+    )
+    assert 0.5 == loop.step(0.0)
+    assert 1 == loop.engine.incident_counts["amplifier", "raised"]
+
+
+def test_a_stop_from_outside_passes_through_also_at_assembly() -> None:
+    @ts.change("slow")
+    def slow(amplification: float, magnitude: float) -> float:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        ts.wrap(lambda state: 0.5, action=ts.scalar(-1, 1), amplifier=Never(change=slow()))

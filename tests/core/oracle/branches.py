@@ -12,7 +12,7 @@ KINDS = {
     "conditions.flag": ("raised", "wrong-return", "not-finite"),
     "evaluator": ("raised", "wrong-return", "mutated", "out-of-bounds"),
 }
-LIMITED = ("cap", "factor", "slew", "highest level", "nothing to move")
+LIMITED = ("cap", "factor", "slew", "highest level", "bounds", "nothing to move", "executed")
 TOLD = ("dropped", "an emergency stop", "something else was executed")
 BOTH = (
     *(f"incident: {part} {kind}" for part, kinds in KINDS.items() for kind in kinds),

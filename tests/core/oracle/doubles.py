@@ -10,6 +10,7 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.words.actions import Action
 from tutorstudent.core.words.records import GradedAction
+from tutorstudent.core.words.turn import FOOT
 
 
 def _shape(action: Action) -> Shape:
@@ -126,7 +127,7 @@ class Stubborn(Engine[Any, Any, Any]):
 
     def _go_on(self, turn: Any) -> None:
         turn._selected = turn._resulting = GradedAction(_with(turn._original), 1, True)
-        turn._fractions, turn._limited_by = (0.0,) * len(turn._groups), ""
+        turn._rung, turn._limited_by = FOOT, ""
 
 
 class Nagging(Engine[Any, Any, Any]):

@@ -11,6 +11,8 @@ from tests.core.oracle.shapes import LAWS, Arm, Shape, Values
 
 SLACK = 1e-7
 """In units of scale; rounding must not look like a breach."""
+ROUNDING, FAINTEST = 1e-15, 1e-320
+"""Relative, and where numbers are too faint for that."""
 ENOUGH = 10_000
 """Levels above this one are not searched for."""
 
@@ -165,12 +167,42 @@ def _levels(rules: Rules, last: Last | None, tutor: Said, claim: Claim) -> Itera
     lowest = 0 if rules.slew is None else max(0, start - rules.slew)
     if rules.slew is not None and level > start + rules.slew:
         yield Breach("slew", f"level went from {start} to {level}, slew {rules.slew}")
-    if level < lowest and claim.lawful and _allowed(rules, tutor, level + 1):
+    if level < lowest and claim.lawful and _allowed(rules, tutor, level + 1) and not _may_stand(rules, tutor, level):
         yield Breach("slew", f"level fell from {start} to {level}, slew {rules.slew}, and the limits allow {level + 1}")
+    if level > 0 and (_stands(rules, tutor, claim) or (claim.lawful and _is_at_end(rules, tutor, level - 1))):
+        yield Breach("honest", f"level {level} moved no more than level {level - 1}")
     if claim.fell_back and level > lowest:
         yield Breach("fallback", f"fell back to level {level} instead of {lowest}")
     if claim.fell_back and (claim.ampbit is not True or claim.selected_level != level):
         yield Breach("fallback", f"fell back to selected level {claim.selected_level}, ampbit {claim.ampbit!r}")
+
+
+def _stands(rules: Rules, tutor: Said, claim: Claim) -> bool:
+    """Return whether nothing was moved at all."""
+    names = [name for arm in rules.shape.arms[tutor.kind] for name in arm.names]
+    return all(getattr(claim.executed, name) == tutor.values[name] for name in names)
+
+
+def _is_at_end(rules: Rules, tutor: Said, level: int) -> bool:
+    """Return whether a level surely brings every arm as far as any level does: to a bound, or nowhere."""
+    return all(_left(rules, arm, tutor.values, level) < -SLACK * arm.scale for arm in rules.shape.arms[tutor.kind])
+
+
+def _may_stand(rules: Rules, tutor: Said, level: int) -> bool:
+    """Return whether the next level may move nothing more: a bound is near, or the step is less than the rounding."""
+    for arm in rules.shape.arms[tutor.kind]:
+        step = _want(rules, arm, tutor.values, level + 1) - _want(rules, arm, tutor.values, level)
+        largest = max(abs(tutor.values[name]) for name in arm.names)
+        is_far = _left(rules, arm, tutor.values, level) > SLACK * arm.scale
+        if is_far and step > ROUNDING * largest + FAINTEST:
+            return False
+    return True
+
+
+def _left(rules: Rules, arm: Arm, tutor: Values, level: int) -> float:
+    """Return how far a level stays from the bound; below 0 where it would go beyond, or where there is no way."""
+    way = _way(arm, tutor)
+    return _room(rules, arm, tutor, way) - _want(rules, arm, tutor, level) if any(way) else -math.inf
 
 
 def _allowed(rules: Rules, tutor: Said, level: int) -> bool:
@@ -186,15 +218,24 @@ def _allowed(rules: Rules, tutor: Said, level: int) -> bool:
 
 def _ends(rules: Rules, arm: Arm, tutor: Values, level: int) -> Values:
     """Return where a level brings an arm: as far as the law says, or as far as the first bound that it meets."""
-    distance = LAWS[rules.law](level * rules.amount, _size(arm, tutor) / arm.scale) * arm.scale
-    straight = {"+": [1.0], "-": [-1.0]}
-    way = straight.get(arm.direction) or _heading(_offsets(arm, tutor))
-    room = distance
-    for name, part in zip(arm.names, way, strict=True):
-        low, high = rules.shape.bounds[name]
-        if part:
-            room = min(room, ((high if part > 0 else low) - tutor[name]) / part)
-    return {name: tutor[name] + max(room, 0.0) * part for name, part in zip(arm.names, way, strict=True)}
+    way = _way(arm, tutor)
+    room = max(0.0, min(_want(rules, arm, tutor, level), _room(rules, arm, tutor, way)))
+    return {name: tutor[name] + room * part for name, part in zip(arm.names, way, strict=True)}
+
+
+def _want(rules: Rules, arm: Arm, tutor: Values, level: int) -> float:
+    """Return how far a level moves an arm where nothing is in the way."""
+    return LAWS[rules.law](level * rules.amount, _size(arm, tutor) / arm.scale) * arm.scale
+
+
+def _way(arm: Arm, tutor: Values) -> list[float]:
+    return {"+": [1.0], "-": [-1.0]}.get(arm.direction) or _heading(_offsets(arm, tutor))
+
+
+def _room(rules: Rules, arm: Arm, tutor: Values, way: list[float]) -> float:
+    """Return how far it is to the first bound."""
+    ways = [(rules.shape.bounds[name], tutor[name], part) for name, part in zip(arm.names, way, strict=True) if part]
+    return min((((high if part > 0 else low) - value) / part for (low, high), value, part in ways), default=math.inf)
 
 
 def _heading(offsets: list[float]) -> list[float]:

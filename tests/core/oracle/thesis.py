@@ -49,6 +49,13 @@ def component_form(kind: str | None, tutor: Components, level: int) -> Component
     return Components(round(translation, 9), round(rotation, 9), round(duration, 9))
 
 
+def moved_level(kind: str, tutor: Components, level: int) -> int:
+    """Return the lowest level with this effect: ours, not the thesis's (docs/decisions/0013)."""
+    return min(
+        lower for lower in range(level + 1) if component_form(kind, tutor, lower) == component_form(kind, tutor, level)
+    )
+
+
 def action_selector(tutor_kind: str, student: Said) -> Said:
     """Compare the descriptions (Thesis 3.3.3)."""
     if student.kind == tutor_kind:
@@ -126,9 +133,13 @@ class TutorStudentAlgorithm:
         """Evaluate the previous period with this state (A-C), then propagate (1-11) and store (a-e)."""
         taught = None if self.stored is None else evaluator(self.stored, now.violated)
         choose = action_modifier if self.streamlined else action_selector
-        selected = choose(now.tutor_kind, now.student)
-        resulting = amplifier(selected, self.decisions < self.learning_phase)
+        selected = self.lower(now, choose(now.tutor_kind, now.student))
+        resulting = self.lower(now, amplifier(selected, self.decisions < self.learning_phase))
         executed = component_form(now.tutor_kind, now.tutor, resulting.level)
         self.stored = Stored(now.state, Said(now.tutor_kind, 0, 1), selected, resulting)
         self.decisions += 1
         return Produced(selected, resulting, executed, taught)
+
+    def lower(self, now: Period, said: Said) -> Said:
+        """Take away the levels that move nothing."""
+        return Said(said.kind, moved_level(now.tutor_kind, now.tutor, said.level), said.ampbit)

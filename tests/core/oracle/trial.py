@@ -52,7 +52,7 @@ def draw_rules(random: Random) -> Rules:
         cap=cap,
         factor=None if cap > 100 else random.choice((None, None, 1.0, 1.1, 1.3, 2.5)),  # where levels end at 1000
         slew=random.choice((None, None, 1, 2, 5)),
-        amount=random.choice((0.1, 0.1, 0.05, 0.25, 0.037)),
+        amount=random.choice((0.1, 0.1, 0.05, 0.25, 0.037) if cap < 100 else (0.1, 1e-5)),
         law=random.choice(("additive", "additive", "multiplicative")),
     )
 

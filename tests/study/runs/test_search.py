@@ -14,10 +14,13 @@ from tests.study.conftest import results
 from tutorstudent.core.files.registry import Registry
 from tutorstudent.core.words.errors import PipelineError
 from tutorstudent.study import Plan, Search, Setting, read_study, run_plan
-from tutorstudent.study.plans.constant_level import BEST, LEVELS, Level, Searched, find_best, save_searched, settle
+from tutorstudent.study.plans.constant_level import BEST, Level, Searched, find_best, save_searched, settle
 from tutorstudent.study.runs.searching import find_levels
 
 Planned = Callable[..., Plan]
+
+LEVELS = range(1, 5)
+"""What the pipelines' cap allows, where a level is worth 0.2."""
 
 
 def level(number: int, goal: float | None, violated: float | None, runs: int = 2) -> Level:
@@ -202,23 +205,29 @@ def test_the_table_is_what_the_runs_say(planned: Planned, folder: Path) -> None:
 def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart(planned: Planned) -> None:
     plan = planned(variations=[Setting("world.scene", scene) for scene in ("short", "long")])
     levels = (
-        *(Level("short", i, 1, float(i == 3), 0.0, chosen=i == 3) for i in range(9)),
-        *(Level("long", i, 1, float(i), 0.5 - i / 100, chosen=i == 8) for i in range(9)),
+        *(Level("short", i, 1, float(i == 3), 0.0, chosen=i == 3) for i in range(5)),
+        *(Level("long", i, 1, float(i), 0.5 - i / 100, chosen=i == 4) for i in range(5)),
     )
     searched = Searched("turns", 0.001, (1_000_000,), levels)
     made = settle(plan, searched)
     found = [item.pipeline["student"]["level"] for place in made.environments for item in place.variants[-1:]]
-    assert [3, 8] == found
+    assert [3, 4] == found
     [control] = [variant for variant in made.variants() if variant.name == BEST]
     one, other = control.about.split(" In long: ")
     assert one == (
-        "In short: No learning: level 3 in every decision. A control of full. Of levels 1 to 8 it is the one with the "
+        "In short: No learning: level 3 in every decision. A control of full. Of levels 1 to 4 it is the one with the "
         "highest mean 'turns' among those with at most 0.10% of decisions violated, in runs of their own "
         "(seed 1000000)."
     )
-    assert other.startswith("No learning: level 8 in every decision. A control of full. Of levels ")
+    assert other.startswith("No learning: level 4 in every decision. A control of full. Of levels ")
     assert "among those with at most 50.00% of decisions violated, in runs of their own (seed 1000000)." in other
     assert made == settle(made, searched)
+
+
+def test_an_older_search_that_tried_more_levels_is_left_alone(planned: Planned) -> None:
+    levels = tuple(Level("short", i, 1, float(i), 0.0, chosen=i == 8) for i in range(9))
+    plan = planned()
+    assert plan == settle(plan, Searched("turns", 0.001, (1_000_000,), levels))
 
 
 def test_a_level_that_breaks_the_budget_for_want_of_others_says_so(planned: Planned) -> None:
@@ -232,7 +241,7 @@ def test_a_search_that_has_not_ended_leaves_runs_that_wait(planned: Planned, fol
     study = read_study(folder, planned())
     assert study.search is None
     assert () == study.failures
-    assert {BEST, "search: level-8"} < {item.variant for item in study.waiting}
+    assert {BEST, "search: level-4"} < {item.variant for item in study.waiting}
     assert BEST not in [variant.name for variant in study.plan.variants()]
 
 

@@ -12,9 +12,11 @@ from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import measure_deviation, move
 from tutorstudent.core.words.actions import Action, ActionT, Group, rebuild
 from tutorstudent.core.words.records import StateT
-from tutorstudent.core.words.turn import Fractions, Turn
+from tutorstudent.core.words.turn import FOOT, Rung, Turn
 
 UNKNOWN = "the executed level could not be told"
+TOLD = "executed"
+"""What bound a level that somebody else lowered."""
 
 
 class Corrector(Generic[StateT, ActionT]):
@@ -30,22 +32,26 @@ class Corrector(Generic[StateT, ActionT]):
         with self._in_amplifier:
             reached = find_level(turn, executed, ladder)
             level, turn._untold = reached or 0, "" if reached is not None else "something else was executed"
-        self._write(turn, executed, level, ladder.fractions(level))
+        self._write(turn, executed, level, ladder.get_rung(level))
 
     def take_back(self, turn: Turn[StateT, ActionT]) -> None:
         """Take in that the tutor's own action was executed after all."""
         turn._untold = ""
-        self._write(turn, turn._original, 0, ())
+        self._write(turn, turn._original, 0, FOOT)
 
-    def _write(self, turn: Turn[StateT, ActionT], executed: ActionT, level: int, fractions: Fractions) -> None:
+    def _write(self, turn: Turn[StateT, ActionT], executed: ActionT, level: int, rung: Rung) -> None:
         asked, record = turn._asked, rebuild(executed)
+        if level < asked.resulting.level:
+            turn._limited_by = TOLD
+        elif turn._limited_by == TOLD:
+            turn._limited_by = ""
         turn._decision = asked._replace(
             selected=asked.selected._replace(level=min(level, asked.selected.level)),
             resulting=asked.resulting._replace(level=level),
             executed=record,
         )
         turn._action, turn._seals = executed, (turn._seals[0], seal(record))
-        self._limiter.remember(turn._original.kind, level, fractions)
+        self._limiter.remember(turn._original.kind, level, rung)
 
 
 def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | None:
@@ -61,16 +67,21 @@ def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | 
         return None
     ways = [measure_progress(group, own, done) for group in groups]
     top = ladder.climb(turn._asked.resulting.level)
+    if all(done[name] == own[name] for name in movable):
+        return 0
     most = _measure_level(top, turn, ladder)
     slack = [ROUNDING * _measure_size(group, own, done) for group in groups]
     found = list(zip(ways, most, slack, strict=True))
     if any(way is None or not -free <= way <= mark + free for way, mark, free in found):
         return None
-    levels = [(level, _measure_level(level, turn, ladder)) for level in range(top, -1, -1)]
+    levels = dict.fromkeys(ladder.climb(level) for level in range(top, -1, -1))
     return next(
         level
-        for level, marks in levels
-        if all((way or 0.0) >= mark - free for way, mark, free in zip(ways, marks, slack, strict=True))
+        for level in levels
+        if all(
+            (way or 0.0) >= mark - free
+            for way, mark, free in zip(ways, _measure_level(level, turn, ladder), slack, strict=True)
+        )
     )
 
 
@@ -81,14 +92,11 @@ def _measure_size(group: Group, own: Mapping[str, float], done: Mapping[str, flo
 
 def _measure_level(level: int, turn: Turn[Any, Any], ladder: Ladder) -> list[float]:
     """Return how far a level moves each group, after clipping, in units of its scale."""
-    own, fractions = turn._original.__dict__, ladder.fractions(ladder.climb(level))
-    if not fractions:
+    own, ends = turn._original.__dict__, ladder.get_rung(level).ends
+    if not ends:
         return [0.0] * len(turn._groups)
-    ends = [
-        dict(zip(group.names, move(group, own, fraction), strict=True))
-        for group, fraction in zip(turn._groups, fractions, strict=True)
-    ]
-    return [measure_progress(group, own, end) or 0.0 for group, end in zip(turn._groups, ends, strict=True)]
+    named = [dict(zip(group.names, end, strict=True)) for group, end in zip(turn._groups, ends, strict=True)]
+    return [measure_progress(group, own, end) or 0.0 for group, end in zip(turn._groups, named, strict=True)]
 
 
 def measure_progress(group: Group, values: Mapping[str, float], ends: Mapping[str, float]) -> float | None:

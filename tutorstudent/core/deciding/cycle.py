@@ -106,7 +106,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
             record = rebuild(turn._action)
             turn._seals = turn._seals[0], seal(record)
         turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
-        self._limiter.remember(turn._original.kind, turn._resulting.level, turn._fractions)
+        self._limiter.remember(turn._original.kind, turn._resulting.level, turn._rung)
         self.turn = turn
 
     def _end(self, turn: Turn[StateT, ActionT], incidents: int) -> None:

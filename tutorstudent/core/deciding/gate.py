@@ -26,7 +26,8 @@ def check_written(own: Any, meant: Any, written: Any, command: Any) -> Command |
         command: The controller's own command.
 
     Returns:
-        None where it is what was meant, in the precision of the owner's type.
+        None where it is what was meant, in the precision of the owner's type. The controller's own, where that
+        precision is too coarse for the difference.
 
     Raises:
         Breach: if the owner must not get it.
@@ -35,13 +36,14 @@ def check_written(own: Any, meant: Any, written: Any, command: Any) -> Command |
     asked, found = [meant.__dict__[name] for name in names], form.read(written)
     if found == asked and type(command) in PLAIN:  # the usual case: a number that nobody can have changed
         return None
+    said = [own.__dict__[name] for name in names]
     is_meant = found == form.fit(asked, command)
     if not is_meant:
-        _check_between(own, [own.__dict__[name] for name in names], asked, found)
+        _check_between(own, said, asked, found)
     if (elsewhere := form.compare_rest(command, written)) is not None:
         raise Breach("mutated", f"writing the amplified command changed {elsewhere}, which is not declared.")
     if is_meant:
-        return None
+        return own if found == said and asked != said else None
     found_action: Command = type(own).model_validate(dict(zip(names, found, strict=True)))
     return found_action
 

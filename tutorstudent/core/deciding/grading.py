@@ -53,15 +53,15 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
         turn._seals = (held := seal(shown)), held
         turn._proposal = None
         turn._selected = turn._resulting = GradedAction(shown, limited.level, True)
-        turn._fractions, turn._limited_by = limited.fractions, limited.by
+        turn._rung, turn._limited_by = limited.rung, limited.by
 
     def render(self, turn: Turn[StateT, ActionT]) -> None:
         """Write the action to execute; the tutor's own where the action class refuses the amplified one."""
         turn._action = turn._original
-        if not turn._fractions:
+        if not turn._rung.ends:
             return
         with self._in_action:
-            turn._action = render(turn._original, turn._groups, turn._fractions)
+            turn._action = render(turn._original, turn._groups, turn._rung.ends)
         if self._in_action.failed:
             self._limiter.forget()
             self.fall_back(turn)
@@ -80,10 +80,10 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
         level, by = limiter.limit_selected(turn)
         selected = _put(turn._selected, level)
         resulting = check_graded(self._amplifier.amplify(selected, moment.number), moment.tutor_action)
-        limited = limiter.limit_resulting(turn, level, resulting.level)
+        limited = limiter.limit_resulting(turn, resulting.level)
         # Where slew holds the level up, the selected one rises too: slowing down never counts as amplification.
         turn._selected = _put(selected, max(level, limited.level)) if limited.is_held else selected
-        turn._resulting, turn._fractions = _put(resulting, limited.level), limited.fractions
+        turn._resulting, turn._rung = _put(resulting, limited.level), limited.rung
         turn._limited_by = limited.by or (by if limited.level >= level else "")
 
 

@@ -6,14 +6,14 @@ import math
 from collections.abc import Callable
 
 from tutorstudent.core.deciding.limits import Limits
-from tutorstudent.core.deciding.rendering import measure_deviation, move_deviation
+from tutorstudent.core.deciding.rendering import can_move, measure_deviation, measure_distance, move
 from tutorstudent.core.roles.leaves import Change
 from tutorstudent.core.words.actions import Action, Group
 from tutorstudent.core.words.proposals import require_number
-from tutorstudent.core.words.turn import Fractions
+from tutorstudent.core.words.turn import FOOT, Ends, Fractions, Rung
 
 HIGHEST_LEVEL = 1000
-"""No level goes beyond it, even where a level moves nothing."""
+"""No level goes beyond it."""
 ROUNDING = 1e-9
 """3 x 0.1 is 0.30000000000000004: a limit has to hold for the level that was meant. Relative: commands may be tiny."""
 
@@ -25,23 +25,31 @@ class Ladder:
     fractions do not grow can lose amplification but never break a limit.
     """
 
-    __slots__ = ("_allowed", "_groups", "_limits", "_measure", "_rungs", "_values", "limit")
+    __slots__ = ("_allowed", "_groups", "_limits", "_measure", "_own", "_rungs", "_values", "limit")
 
     def __init__(
         self, measure: Callable[[int], Fractions], original: Action, groups: tuple[Group, ...], limits: Limits
     ) -> None:
         self._measure, self._groups, self._values, self._limits = measure, groups, original.__dict__, limits
+        self._own = tuple([tuple([self._values[name] for name in group.names]) for group in groups])
         self._allowed: list[float] = []
-        self._rungs: dict[int, Fractions | None] = {0: ()}
+        self._rungs: dict[int, Rung | None] = {0: FOOT}
         self.limit = ""
-        """What forbade the last level that was too high: ``cap``, ``factor`` or ``highest level``."""
+        """What forbade the last level that was too high: ``cap``, ``factor``, ``highest level``, ``bounds`` or
+        ``nothing to move``.
+        """
 
     def climb(self, level: int) -> int:
-        """Return the highest level up to `level` that cap and factor allow."""
+        """Return the highest level up to `level` that cap and factor allow and that moves more than the one below."""
         if level > HIGHEST_LEVEL:
             level, self.limit = HIGHEST_LEVEL, "highest level"
-        if self._allows(level) is not None:
-            return level
+        return self._settle(level if self._allows(level) is not None else self._find_allowed(level))
+
+    def get_rung(self, level: int) -> Rung:
+        """Return what a level moves that was climbed to."""
+        return self._rungs[level] or FOOT
+
+    def _find_allowed(self, level: int) -> int:
         low, high = 0, level
         while high - low > 1:
             middle = (low + high) // 2
@@ -51,29 +59,55 @@ class Ladder:
                 high = middle
         return low
 
-    def fractions(self, level: int) -> Fractions:
-        """Return what a level moves that was climbed to."""
-        return self._rungs[level] or ()
+    def _settle(self, level: int) -> int:
+        """Return the lowest level that moves the action as far as this one."""
+        if level == 0:
+            return 0
+        ends = self._reach(level)
+        if ends == self._own:
+            self.limit = "bounds" if can_move(self._groups, self._values) else "nothing to move"
+            return 0
+        if self._reach(level - 1) != ends:
+            return level
+        low, high = 0, level - 1
+        while high - low > 1:
+            middle = (low + high) // 2
+            if self._reach(middle) == ends:
+                high = middle
+            else:
+                low = middle
+        self.limit = "bounds"
+        return high
 
-    def _allows(self, level: int) -> Fractions | None:
+    def _reach(self, level: int) -> Ends | None:
+        rung = self._allows(level)
+        return None if rung is None else rung.ends or self._own
+
+    def _allows(self, level: int) -> Rung | None:
         rungs = self._rungs
         if level in rungs:
             return rungs[level]
-        fractions: Fractions | None = self._measure(level)
+        rung: Rung | None = None
+        fractions = self._measure(level)
         if max(fractions or (0.0,)) > self._limits.cap * (1 + ROUNDING):
-            fractions, self.limit = None, "cap"
-        elif self._limits.factor is not None and self._exceeds(self._limits.factor, fractions or ()):
-            fractions, self.limit = None, "factor"
-        rungs[level] = fractions
-        return fractions
+            self.limit = "cap"
+        else:
+            groups, values = self._groups, self._values
+            ends = tuple([move(group, values, part) for group, part in zip(groups, fractions, strict=True)])
+            if self._limits.factor is not None and self._exceeds(self._limits.factor, ends):
+                self.limit = "factor"
+            else:
+                rung = Rung(fractions, ends)
+        rungs[level] = rung
+        return rung
 
-    def _exceeds(self, factor: float, fractions: Fractions) -> bool:
-        values, groups = self._values, self._groups
+    def _exceeds(self, factor: float, ends: Ends) -> bool:
+        groups = self._groups
         if not self._allowed:
-            self._allowed = [factor * measure_deviation(group, values) * (1 + ROUNDING) for group in groups]
+            self._allowed = [factor * measure_deviation(group, self._values) * (1 + ROUNDING) for group in groups]
         return any(
-            move_deviation(group, values, fraction) > allowed
-            for group, fraction, allowed in zip(groups, fractions, self._allowed, strict=True)
+            measure_distance(group, end) > allowed
+            for group, end, allowed in zip(groups, ends, self._allowed, strict=True)
         )
 
 

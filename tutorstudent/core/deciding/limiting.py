@@ -7,23 +7,23 @@ from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.ladder import Ladder, ask_change, scale_fractions
 from tutorstudent.core.deciding.limits import Limits
-from tutorstudent.core.deciding.rendering import can_move, measure_deviation
+from tutorstudent.core.deciding.rendering import measure_deviation
 from tutorstudent.core.roles.interfaces import Amplifier
 from tutorstudent.core.words.actions import Action, Group
-from tutorstudent.core.words.turn import Fractions, Turn
+from tutorstudent.core.words.turn import FOOT, Fractions, Rung, Turn
 
 
 class Limited(NamedTuple):
     """A level within the limits, and why it is another than was asked for."""
 
     level: int
-    fractions: Fractions
+    rung: Rung
     by: str = ""
     is_held: bool = False
     """Whether slew holds it up."""
 
 
-NOTHING = Limited(0, ())
+NOTHING = Limited(0, FOOT)
 
 
 class Limiter:
@@ -44,9 +44,9 @@ class Limiter:
         """Begin a trial: slew counts from level 0."""
         self.last = "", NOTHING
 
-    def remember(self, kind: str, level: int, fractions: Fractions) -> None:
+    def remember(self, kind: str, level: int, rung: Rung) -> None:
         """Take in what is executed: slew counts from there."""
-        self.last = kind, Limited(level, fractions)
+        self.last = kind, Limited(level, rung)
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""
@@ -61,19 +61,16 @@ class Limiter:
         level = turn._selected.level
         return self._climb(turn, level) if level else (0, "")
 
-    def limit_resulting(self, turn: Turn[Any, Any], selected: int, resulting: int) -> Limited:
-        """Return what the limits leave of the resulting level, beside the limited selected one; slew may hold it up."""
+    def limit_resulting(self, turn: Turn[Any, Any], resulting: int) -> Limited:
+        """Return what the limits leave of the resulting level; slew may hold it up."""
         floor = self._floor(turn._original.kind)
         if resulting == floor == 0:
             return NOTHING
-        if resulting > selected and not can_move(turn._groups, turn._original.__dict__):
-            level, by = self._climb(turn, selected)[0], "nothing to move"
-        else:
-            level, by = self._climb(turn, resulting)
+        level, by = self._climb(turn, resulting)
         ladder: Ladder = turn._ladder
         if floor > level:
             return _hold(floor, level, by, ladder)
-        return Limited(level, ladder.fractions(level), by)
+        return Limited(level, ladder.get_rung(level), by)
 
     def fall_back(self, turn: Turn[Any, Any]) -> Limited:
         """Return the tutor's own action, through slew where that is set, without asking any part.
@@ -83,7 +80,7 @@ class Limiter:
         floor = self._floor(turn._original.kind)
         if floor == 0:
             return NOTHING
-        measure = partial(scale_fractions, self.last[1].fractions, self.last[1].level)
+        measure = partial(scale_fractions, self.last[1].rung.fractions, self.last[1].level)
         return _hold(floor, 0, "", Ladder(measure, turn._original, turn._groups, self._limits))
 
     def _climb(self, turn: Turn[Any, Any], asked: int) -> tuple[int, str]:
@@ -110,4 +107,4 @@ class Limiter:
 
 def _hold(floor: int, level: int, by: str, ladder: Ladder) -> Limited:
     held = ladder.climb(floor)
-    return Limited(held, ladder.fractions(held), "slew" if held > level else by, is_held=True)
+    return Limited(held, ladder.get_rung(held), "slew" if held > level else by, is_held=True)

@@ -12,14 +12,17 @@ from collections.abc import Mapping, Sequence
 from tutorstudent.core.deciding.guard import Breach
 from tutorstudent.core.words.actions import ActionT, Group, rebuild
 from tutorstudent.core.words.sameness import is_same
-from tutorstudent.core.words.turn import Fractions
+from tutorstudent.core.words.turn import Ends
 
 
 def measure_deviation(group: Group, values: Mapping[str, float]) -> float:
     """Return how far a group's values are from neutral, >= 0."""
-    if len(group.names) == 1:
-        return abs(values[group.names[0]] - group.neutral[0])
-    return math.dist([values[name] for name in group.names], group.neutral)
+    return measure_distance(group, [values[name] for name in group.names])
+
+
+def measure_distance(group: Group, ends: Sequence[float]) -> float:
+    """Return how far values of a group, in the order of its names, are from neutral, >= 0."""
+    return abs(ends[0] - group.neutral[0]) if len(ends) == 1 else math.dist(ends, group.neutral)
 
 
 def can_move(groups: tuple[Group, ...], values: Mapping[str, float]) -> bool:
@@ -32,13 +35,6 @@ def move(group: Group, values: Mapping[str, float], fraction: float) -> tuple[fl
     if len(group.names) == 1:
         return (_move_scalar(group, values[group.names[0]], fraction * group.scale),)
     return _move_vector(group, [values[name] for name in group.names], fraction * group.scale)
-
-
-def move_deviation(group: Group, values: Mapping[str, float], fraction: float) -> float:
-    """Return how far from neutral `move` would bring the group's values."""
-    if len(group.names) == 1:
-        return abs(_move_scalar(group, values[group.names[0]], fraction * group.scale) - group.neutral[0])
-    return math.dist(move(group, values, fraction), group.neutral)
 
 
 def _move_scalar(group: Group, value: float, distance: float) -> float:
@@ -64,16 +60,16 @@ def _move_vector(group: Group, values: Sequence[float], distance: float) -> tupl
     return tuple(min(max(end, low), high) for end, low, high in zip(ends, group.low, group.high, strict=True))
 
 
-def render(original: ActionT, groups: tuple[Group, ...], fractions: Fractions) -> ActionT:
-    """Return the tutor's action with every group moved by its fraction; the original itself where nothing moves."""
-    if not fractions:
+def render(original: ActionT, groups: tuple[Group, ...], ends: Ends) -> ActionT:
+    """Return the tutor's action with the values of every group where they were brought; without any, the original."""
+    if not ends:
         return original
-    values = original.__dict__
-    changed: dict[str, float] = {}
-    for group, fraction in zip(groups, fractions, strict=True):
-        if fraction > 0:
-            changed.update(zip(group.names, move(group, values, fraction), strict=True))
-    return _make(original, changed) if changed else original
+    values, changed = original.__dict__, {}
+    for group, end in zip(groups, ends, strict=True):
+        for name, value in zip(group.names, end, strict=True):
+            if value != values[name]:
+                changed[name] = value
+    return _make(original, changed)
 
 
 def _make(original: ActionT, changed: dict[str, float]) -> ActionT:

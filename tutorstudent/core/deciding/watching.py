@@ -43,7 +43,7 @@ class Watch:
         self.at_assembly = find_assembly_notices(engine)
         """What is wrong whatever the decisions will be; parts are asked here, and never while decisions go on."""
         self.decisions = 0
-        self._levels = self._moved = self._named = self._matched = 0
+        self._levels = self._named = self._matched = 0
         self._failed: Counter[str] = Counter()
         self._messages: dict[str, str] = {}
         self._stopped: Counter[str] = Counter()
@@ -61,7 +61,6 @@ class Watch:
             self._matched += decision.proposal.kind == shown.kind
         if decision.resulting.level:
             self._levels += 1
-            self._moved += decision.executed.__dict__ != shown.__dict__
         else:
             self._stopped[turn.limited_by] += 1
         if turn.outcome is not None:
@@ -81,10 +80,12 @@ class Watch:
         failing = [part for part, times in self._failed.items() if times >= NEARLY_ALL * max(1, self.decisions)]
         yield from map(self._describe_failing, failing)
         yield from self._find_violated(failing)
-        if self.decisions and not self._levels and not set(failing) & {"tutor", "student", "selector", "amplifier"}:
+        if (
+            self.decisions
+            and not self._levels
+            and not set(failing) & {"tutor", "student", "selector", "amplifier", "action"}
+        ):
             yield from self._find_stopped()
-        if self._levels and not self._moved:
-            yield self._describe_still(f"a level above 0 was reached in {self._levels} decisions and moved nothing")
 
     def _describe_still(self, what: str) -> Notice:
         return Notice(
@@ -120,7 +121,7 @@ class Watch:
         engine, none = self._engine, f"none of {self.decisions} decisions was amplified"
         if by in ("cap", "factor"):
             yield Notice("level 1", f"{none}: {explain_limit(engine, by)}")
-        elif by == "nothing to move":
+        elif by in ("nothing to move", "bounds", "executed"):
             yield self._describe_still(none)
         elif engine.student.learns and self._named and not self._matched:
             yield Notice(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Generic
+from typing import Any, Generic, NamedTuple
 
 from tutorstudent.core.words.actions import ActionT, Group
 from tutorstudent.core.words.proposals import Proposal
@@ -11,6 +11,21 @@ from tutorstudent.core.words.records import Decision, GradedAction, Incident, Le
 
 Fractions = tuple[float, ...]
 """One distance for each group of the action's kind, in units of the group's scale; none where nothing moves."""
+Ends = tuple[tuple[float, ...], ...]
+"""The values that each group of the action's kind is brought to; none where nothing moves."""
+
+
+class Rung(NamedTuple):
+    """What one level moves."""
+
+    fractions: Fractions = ()
+    """As the change says."""
+    ends: Ends = ()
+    """Where that brings the values, clipped to the bounds."""
+
+
+FOOT = Rung()
+"""Level 0: the tutor's own action."""
 FIELDS = ("decision", "outcome", "lesson", "limited_by", "void", "incidents")
 """What everybody may read of a turn."""
 Seal = tuple[type[Any], Callable[[dict[str, Any]], tuple[Any, ...]], tuple[Any, ...]]
@@ -33,7 +48,7 @@ class Turn(Generic[StateT, ActionT]):
     """What each level would move; None until it is needed."""
     _selected: GradedAction[ActionT]
     _resulting: GradedAction[ActionT]
-    _fractions: Fractions
+    _rung: Rung
     """What the resulting level moves."""
     _limited_by = ""
     _incidents: list[Incident]
@@ -83,8 +98,8 @@ class Turn(Generic[StateT, ActionT]):
 
     @property
     def limited_by(self) -> str:
-        """Why the level is another than the amplifier's: ``cap``, ``factor``, ``slew``, ``highest level``,
-        ``nothing to move``, or empty.
+        """Why the level is another than the amplifier's: ``cap``, ``factor``, ``slew``, ``highest level``, ``bounds``,
+        ``nothing to move``, ``executed`` (somebody says that less was executed), or empty.
         """
         return self._limited_by
 

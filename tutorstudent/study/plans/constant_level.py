@@ -13,8 +13,6 @@ from tutorstudent.study.plans.plan import Environment, Plan, Variant
 
 BEST = "best-constant"
 TUTOR_ALONE = "tutor-alone"
-LEVELS = range(1, 9)
-"""Those of the thesis (3.3.2) that amplify."""
 FOLDER = "search"
 """Of the search, below the study's."""
 TABLE = "table.json"
@@ -69,6 +67,12 @@ def name_candidate(level: int) -> str:
     ('tutor-alone', 'level-3')
     """
     return f"level-{level}" if level else TUTOR_ALONE
+
+
+def list_levels(environment: Environment) -> list[int]:
+    """Return the levels that a search's environment tries, 0 among them: levels that are the same are tried once."""
+    names = {variant.name for variant in environment.variants}
+    return [level for level in range(len(names)) if name_candidate(level) in names]
 
 
 def find_best(levels: Sequence[Level], limit: float, runs: int) -> Level | None:
@@ -129,7 +133,9 @@ def _add_best(environment: Environment, tried: Environment, searched: Searched) 
     found = searched.chosen(environment.name)
     if found is None or BEST in [variant.name for variant in environment.variants]:
         return environment
-    winner = next(variant for variant in tried.variants if variant.name == name_candidate(found.level))
+    winner = next((variant for variant in tried.variants if variant.name == name_candidate(found.level)), None)
+    if winner is None:  # an older search, which tried levels that the limits do not allow
+        return environment
     about = f"{winner.about} {_explain(found, searched)}"
     return environment._replace(
         variants=(*environment.variants, Variant(BEST, about, True, winner.pipeline, winner.counters))
@@ -149,6 +155,7 @@ def _explain(found: Level, searched: Searched) -> str:
             "violated"
         )
     return (
-        f"Of levels {LEVELS[0]} to {LEVELS[-1]} it is {kept}, in runs of their own "
+        f"Of levels 1 to {max(item.level for item in searched.levels if item.environment == found.environment)} "
+        f"it is {kept}, in runs of their own "
         f"(seed{'s' if len(searched.seeds) > 1 else ''} {seeds})."
     )

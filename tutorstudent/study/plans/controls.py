@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from tutorstudent.study.plans.constant_level import LEVELS, TUTOR_ALONE, name_candidate
+from tutorstudent.study.plans.constant_level import TUTOR_ALONE, name_candidate
 from tutorstudent.study.plans.resolving import Resolved
 
 UNSEARCHED = 4
@@ -51,9 +51,9 @@ def make_unsearched(resolved: Resolved) -> Control:
 
 
 def make_candidates(resolved: Resolved) -> Iterator[Control]:
-    """Yield what a search for the best constant level tries: the tutor alone, then every level."""
+    """Yield what a search for the best constant level tries: the tutor alone, then every level that differs."""
     yield _make_tutor_alone(resolved)
-    for level in LEVELS:
+    for level in range(1, resolved.highest_level + 1):
         yield _make_constant(resolved, name_candidate(level), f"No learning: level {level} in every decision.", level)
 
 

@@ -7,6 +7,7 @@ from contextlib import closing, contextmanager
 from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.guard import is_owners
+from tutorstudent.core.deciding.reach import find_highest
 from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
@@ -18,6 +19,8 @@ from tutorstudent.core.running.observers import Entries
 from tutorstudent.core.running.runner import make_trial_seed
 
 Values = Mapping[str, Any]
+HIGHEST_LEVEL = 8
+"""The thesis's (3.3.2)."""
 UNAMPLIFIED = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
 """The keys that matter where nothing is amplified."""
 
@@ -34,6 +37,8 @@ class Resolved(NamedTuple):
     """What the student looks at, where it has an encoder."""
     counters: dict[str, str]
     """What its observers count, such as ``attractors``, and the situation whose entries that is."""
+    highest_level: int = HIGHEST_LEVEL
+    """Up to the thesis's eight, what the limits allow; constant levels beyond it are one and the same."""
     goal_event: str = ""
     """What its world counts for achievement; empty where it does not say."""
 
@@ -52,6 +57,7 @@ def resolve(pipeline: Pipeline) -> Resolved:
             make_plain(engine.amplifier.change.describe(), "amplifier.change"),
             make_plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
+            find_highest(engine.tutor.action, engine.amplifier, engine.limits, HIGHEST_LEVEL),
             world.goal_event,
         )
 

@@ -10,10 +10,10 @@ from statistics import fmean
 from tutorstudent.study.plans.constant_level import (
     BEST,
     FOLDER,
-    LEVELS,
     Level,
     Searched,
     find_best,
+    list_levels,
     load_searched,
     name_candidate,
     save_searched,
@@ -38,7 +38,7 @@ def find_levels(search: Search, folder: Path) -> Searched:
     blank = Searched(search.goal, search.harm_budget, search.plan.seeds, ())
     levels: list[Level] = []
     for environment in search.plan.environments:
-        here = [_make_level(environment.name, level, runs, search.goal) for level in (0, *LEVELS)]
+        here = [_make_level(environment.name, level, runs, search.goal) for level in list_levels(environment)]
         limit = blank._replace(levels=tuple(here)).limit(environment.name)
         chosen = find_best(here, limit, len(search.plan.seeds))
         levels += [item._replace(chosen=item == chosen) for item in here]
