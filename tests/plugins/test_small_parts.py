@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,11 @@ def state(nearest_m: float = 2.0, stalled: bool = False) -> PioneerState:
     return PioneerState(sonar, (), stalled)
 
 
+@condition("free")
+def Free(sensed: PioneerState) -> bool:
+    return False
+
+
 def moment(action: DriveAction = FORWARD, sensed: PioneerState | None = None) -> Moment[Any, Any]:
     return Moment(0, sensed or state(), action, "")
 
@@ -38,7 +44,7 @@ def bound(part: Any) -> Any:
 
 def test_bumped_is_what_the_robot_reports() -> None:
     assert [True, False] == [Bumped().violated(state(stalled=stalled)) for stalled in (True, False)]
-    assert Bumped().margins(state()) is None
+    assert [2.0] * 16 == Bumped().margins(state())
 
 
 def test_near_has_a_margin_that_is_zero_where_it_begins_to_be_violated() -> None:
@@ -69,8 +75,9 @@ def test_composed_margins() -> None:
         of=[Near(clearance_m=0.5), Near(clearance_m=1.5)]
     ).margins(sensed)
     assert [0.5] == AllOf(of=[Near(clearance_m=0.5), Near(clearance_m=1.5)]).margins(sensed)
-    assert AnyOf(of=[Bumped()]).margins(sensed) is None
-    assert AllOf(of=[Bumped(), Near()]).margins(sensed) is None
+    assert [2.0] * 3 == AnyOf(of=[Bumped()]).margins(sensed)[:3]
+    assert AnyOf(of=[Free()]).margins(sensed) is None
+    assert AllOf(of=[Free(), Near()]).margins(sensed) is None
 
 
 def test_all_parts_are_asked_since_conditions_may_have_a_memory() -> None:
@@ -157,3 +164,18 @@ def test_blind_teaches_success_whatever_happened() -> None:
     assert sighted is not None
     assert ((3, True), (2, False)) == (blind.target[1:], sighted.target[1:])
     assert ((), None, {}) == (blind.outcome.violated, blind.outcome.margins_before, dict(blind.outcome.margins))
+
+
+def test_a_bump_within_the_decision_counts_though_the_newest_report_is_free() -> None:
+    assert Bumped().violated(replace(state(), bumped=True))
+
+
+@pytest.mark.parametrize("margins", [True, False])
+def test_a_blind_evaluator_hides_violations_and_margins_unless_they_are_to_stay(margins: bool) -> None:
+    decision = Decision(moment(), *(GradedAction(FORWARD, level, True) for level in (1, 2)), FORWARD, None)
+    outcome = Outcome(state(), ("bumped",), {"bumped": (1.0,)}, {"bumped": (0.0,)})
+    lesson = Blind(margins=margins).evaluate(decision, outcome)
+    assert lesson is not None
+    assert () == lesson.outcome.violated
+    seen = ({"bumped": (1.0,)}, {"bumped": (0.0,)}) if margins else (None, {})
+    assert seen == (lesson.outcome.margins_before, lesson.outcome.margins)

@@ -8,17 +8,27 @@ from typing import Any
 
 from tutorstudent.core.roles import part
 from tutorstudent.core.roles.hookspecs import hookimpl
-from tutorstudent.core.roles.leaves import Condition, condition
+from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.roles.part import Component, Field
 from tutorstudent.core.roles.part_options import Part
 from tutorstudent.core.words.records import StateT
 from tutorstudent.sims.pioneer.types import PioneerState
 
 
-@condition("bumped")
-def Bumped(state: PioneerState) -> bool:  # noqa: N802 - it becomes a class
-    """The robot reports that it hit an obstacle (Thesis 3.3.5)."""
-    return state.stalled
+class Bumped(Condition[PioneerState]):
+    """The robot reports that it hit an obstacle, at any moment since the decision (Thesis 3.3.5).
+
+    Its margins are the sonar readings, in metres: near 0 something is about to be touched.
+    """
+
+    name = "bumped"
+
+    def violated(self, state: PioneerState) -> bool:
+        return state.bumped or state.stalled
+
+    def margins(self, state: PioneerState) -> Sequence[float]:
+        margins: list[float] = state.sonar_m.tolist()
+        return margins
 
 
 class Near(Condition[PioneerState]):

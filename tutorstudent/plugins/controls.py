@@ -115,9 +115,12 @@ class Blind(Evaluator[StateT, ActionT]):
         """Whose eyes are closed."""
 
         evaluator: Part[Evaluator[Any, Any]] = Field(default_factory=Conditions, description="the evaluator to blind")
+        margins: bool = Field(default=False, description="whether it still sees margins, so that only violations go")
 
     def evaluate(self, decision: Decision[StateT, ActionT], outcome: Outcome[StateT]) -> Lesson[StateT, ActionT] | None:
-        unseen = outcome._replace(violated=(), margins_before=None, margins=NO_MARGINS)
+        unseen = outcome._replace(violated=())
+        if not self.options.margins:
+            unseen = unseen._replace(margins_before=None, margins=NO_MARGINS)
         lesson: Lesson[StateT, ActionT] | None = self.options.evaluator.evaluate(decision, unseen)
         return lesson
 

@@ -82,7 +82,7 @@ def test_a_state_becomes_plain_json(state: Any, expected: Any) -> None:
 def test_a_pioneers_state_is_its_fields_by_name() -> None:
     state = PioneerState(np.full(16, 5.0), (Blob("red", 0.1, 2.0, 0.2),), False)
     blob = {"colour": "red", "bearing_rad": 0.1, "range_m": 2.0, "width_rad": 0.2}
-    assert {"sonar_m": [5.0] * 16, "blobs": [blob], "stalled": False} == make_plain(state)
+    assert {"sonar_m": [5.0] * 16, "blobs": [blob], "stalled": False, "bumped": False} == make_plain(state)
 
 
 NESTED = st.recursive(

@@ -149,3 +149,14 @@ def test_a_wrapped_angle_is_the_same_direction(turns, direction_rad):
 @pytest.mark.parametrize("half_turns", [-1, 1])
 def test_half_a_turn_is_told_as_plus_pi(half_turns):
     assert wrap_rad(half_turns * math.pi) == math.pi
+
+
+def test_a_bump_is_felt_in_the_decision_in_which_it_is_reported_at_whichever_tick(make_world):
+    """The report of the last push comes a tick late, in the first tick of the decision that backs off."""
+    world = make_world(scene(5.7, 3), **{**EXACT, "ticks_per_decision": 2, "stall_latency": 1})
+    world.reset(1)
+    states = [world.step(forward(0.5)).state for _ in range(3)]
+    assert states[-1].bumped
+    backing = [world.step(BACK).state for _ in range(2)]
+    assert [(False, True), (False, False)] == [(found.stalled, found.bumped) for found in backing]
+    assert not world.reset(1).bumped

@@ -56,7 +56,7 @@ def test_controls_that_learn_nothing_replace_student_selector_and_amplifier(plan
 def test_blind_replaces_the_evaluator_only(plan: Any, name: str) -> None:
     found = variants(plan(name))
     given, blind = found[name].pipeline, found["blind"].pipeline
-    assert {"use": "blind", "evaluator": given["evaluator"]} == blind["evaluator"]
+    assert {"use": "blind", "evaluator": given["evaluator"], "margins": False} == blind["evaluator"]
     assert {key: value for key, value in given.items() if key != "evaluator"} == {
         key: value for key, value in blind.items() if key != "evaluator"
     }

@@ -52,7 +52,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         executed_last = self._limiter.last
         try:
             turn: Turn[StateT, ActionT] = Turn.begin(self._guard.attend(self.decisions))
-            self._seat.ask(turn, self.decisions, state, shown)  # the tutor says its action
+            self._seat.ask(turn, self.decisions, state, shown, self._judge.margins)  # the tutor says its action
             if turn._void:
                 self._limiter.forget()
                 self._grader.fall_back(turn)

@@ -86,7 +86,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         for slot, part in self.slots():
             part.bind(Binding(seed, slot, tutor.action))
         check_wiring(student, selector)
-        limiter = Limiter(self.limits, amplifier)
+        limiter = Limiter(self.limits, amplifier, tutor.action)
         self._cycle = Cycle(
             TutorSeat(tutor, self._guard, on_tutor_failure),
             Grader(student, selector, amplifier, limiter, self._guard),

@@ -21,11 +21,12 @@ class Judge(Generic[StateT]):
     def __init__(self, conditions: Sequence[Condition[StateT]], guard: Guard) -> None:
         self._conditions = [(condition, condition.label, _declares_margins(condition)) for condition in conditions]
         self._guard = guard
-        self._before: Margins | None = None
+        self.margins: Margins | None = None
+        """Of the state that was judged last; None at the beginning of a trial."""
 
     def forget(self) -> None:
         """Begin a trial: the next state has nothing before it."""
-        self._before = None
+        self.margins = None
 
     def judge(self, state: StateT) -> Outcome[StateT]:
         """Return what the conditions say about the state that a decision led to."""
@@ -42,8 +43,8 @@ class Judge(Generic[StateT]):
                 self._guard.record(f"conditions.{name}", error)
             if answer:
                 violated.append(name)
-        before, self._before = self._before, MappingProxyType(margins) if margins else NO_MARGINS
-        return Outcome(state, tuple(violated), before, self._before)
+        before, self.margins = self.margins, MappingProxyType(margins) if margins else NO_MARGINS
+        return Outcome(state, tuple(violated), before, self.margins)
 
 
 def _declares_margins(condition: Condition[Any]) -> bool:

@@ -33,7 +33,8 @@ class Ladder:
         self._measure, self._groups, self._values, self._limits = measure, groups, original.__dict__, limits
         self._own = tuple([tuple([self._values[name] for name in group.names]) for group in groups])
         self._allowed: list[float] = []
-        self._rungs: dict[int, Rung | None] = {0: FOOT}
+        self._rungs: dict[int, Rung | str] = {0: FOOT}
+        """What each level moves, or what forbids it."""
         self.limit = ""
         """What forbade the last level that was too high: ``cap``, ``factor``, ``highest level``, ``bounds`` or
         ``nothing to move``.
@@ -47,7 +48,7 @@ class Ladder:
 
     def get_rung(self, level: int) -> Rung:
         """Return what a level moves that was climbed to."""
-        return self._rungs[level] or FOOT
+        return rung if isinstance(rung := self._rungs[level], Rung) else FOOT
 
     def _find_allowed(self, level: int) -> int:
         low, high = 0, level
@@ -84,22 +85,22 @@ class Ladder:
         return None if rung is None else rung.ends or self._own
 
     def _allows(self, level: int) -> Rung | None:
-        rungs = self._rungs
-        if level in rungs:
-            return rungs[level]
-        rung: Rung | None = None
-        fractions = self._measure(level)
+        rung = self._rungs.get(level)
+        if rung is None:
+            rung = self._rungs[level] = self._find_rung(self._measure(level))
+        if isinstance(rung, Rung):
+            return rung
+        self.limit = rung
+        return None
+
+    def _find_rung(self, fractions: Fractions) -> Rung | str:
         if max(fractions or (0.0,)) > self._limits.cap * (1 + ROUNDING):
-            self.limit = "cap"
-        else:
-            groups, values = self._groups, self._values
-            ends = tuple([move(group, values, part) for group, part in zip(groups, fractions, strict=True)])
-            if self._limits.factor is not None and self._exceeds(self._limits.factor, ends):
-                self.limit = "factor"
-            else:
-                rung = Rung(fractions, ends)
-        rungs[level] = rung
-        return rung
+            return "cap"
+        groups, values = self._groups, self._values
+        ends = tuple([move(group, values, part) for group, part in zip(groups, fractions, strict=True)])
+        if self._limits.factor is not None and self._exceeds(self._limits.factor, ends):
+            return "factor"
+        return Rung(fractions, ends)
 
     def _exceeds(self, factor: float, ends: Ends) -> bool:
         groups = self._groups

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.ladder import Ladder, ask_change, scale_fractions
 from tutorstudent.core.deciding.limits import Limits
+from tutorstudent.core.deciding.reach import HIGHEST_USEFUL, find_highest
 from tutorstudent.core.deciding.rendering import measure_deviation
 from tutorstudent.core.roles.interfaces import Amplifier
 from tutorstudent.core.words.actions import Action, Group
@@ -33,12 +34,18 @@ class Limiter:
     nothing about another (docs/decisions/0001). Cap and factor go before slew.
     """
 
-    def __init__(self, limits: Limits, amplifier: Amplifier[Any]) -> None:
+    def __init__(self, limits: Limits, amplifier: Amplifier[Any], action: type[Action]) -> None:
+        self._amplifier, self._action = amplifier, action
         self._limits, self._slew = limits, limits.slew
         self._change, self._amount = amplifier.change, amplifier.amount
         self._sized: tuple[Action | None, Fractions] = None, ()
         self.last: tuple[str, Limited] = "", NOTHING
         """Kind and level of what was executed last: slew counts from there."""
+
+    @cached_property
+    def highest(self) -> int:
+        """The highest level that cap and factor allow for any command, up to the highest useful one."""
+        return find_highest(self._action, self._amplifier, self._limits, HIGHEST_USEFUL)
 
     def forget(self) -> None:
         """Begin a trial: slew counts from level 0."""
@@ -47,6 +54,11 @@ class Limiter:
     def remember(self, kind: str, level: int, rung: Rung) -> None:
         """Take in what is executed: slew counts from there."""
         self.last = kind, Limited(level, rung)
+
+    def find_range(self, turn: Turn[Any, Any]) -> tuple[int, int | None]:
+        """Return the lowest and the highest level that slew allows in a turn; None without slew."""
+        kind = turn._original.kind
+        return self._floor(kind), None if self._slew is None else self._last_level(kind) + self._slew
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""

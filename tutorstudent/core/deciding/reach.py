@@ -13,6 +13,8 @@ from tutorstudent.core.roles.leaves import Change
 from tutorstudent.core.words.actions import Action, Group
 
 SHARES = tuple(2.0**-i for i in range(12))
+HIGHEST_USEFUL = 8
+"""The thesis's highest level (3.3.2): the last one that is looked at."""
 FAR = 1000.0
 """How far from neutral an unbounded command is tried, in scales."""
 

@@ -10,7 +10,7 @@ from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
-from tutorstudent.core.words.records import Moment, StateT
+from tutorstudent.core.words.records import Margins, Moment, StateT
 from tutorstudent.core.words.turn import Turn
 
 
@@ -21,7 +21,9 @@ class TutorSeat(Generic[StateT, ActionT]):
         self._tutor, self._guard, self._on_failure = tutor, guard, on_failure
         self.hears = type(tutor).executed is not Tutor.executed
 
-    def ask(self, turn: Turn[StateT, ActionT], number: int, state: StateT, shown: StateT) -> None:
+    def ask(
+        self, turn: Turn[StateT, ActionT], number: int, state: StateT, shown: StateT, margins: Margins | None
+    ) -> None:
         """Call the tutor once and write its action into the turn, with the copy that parts are shown.
 
         Where it fails, the owner's action stands in for it and the turn is void.
@@ -45,7 +47,7 @@ class TutorSeat(Generic[StateT, ActionT]):
             action, copy, situation = self._on_failure, rebuild(self._on_failure), ""
             turn._void = "the tutor failed"
         turn._original, turn._groups = action, action.vocabulary.groups[action.kind]
-        turn._moment = Moment(number, shown, copy, situation)
+        turn._moment = Moment(number, shown, copy, situation, margins)
         turn._seals = (held := seal(copy)), held
 
     def tell(self, turn: Turn[StateT, ActionT]) -> None:

@@ -6,7 +6,7 @@ All records are immutable tuples. The tutor's action in them is a copy; the engi
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, NamedTuple, Protocol, TypeVar
 
 from tutorstudent.core.words.actions import ActionT
 from tutorstudent.core.words.proposals import Proposal
@@ -14,6 +14,20 @@ from tutorstudent.core.words.proposals import Proposal
 StateT = TypeVar("StateT")
 
 Margins = Mapping[str, tuple[float, ...]]
+
+
+class Levels(Protocol):
+    """What each level would execute in one decision, after all limits. Asked only by those who want to know."""
+
+    @property
+    def highest(self) -> int:
+        """The highest level that cap and factor allow for any command of the tutor's, up to the thesis's eight."""
+
+    def settle(self, level: int) -> int:
+        """Return the level that would be executed if this one resulted."""
+
+    def measure(self, level: int) -> tuple[float, ...]:
+        """Return how far from neutral it would bring each group of components, in units of the group's scale."""
 
 
 class Moment(NamedTuple, Generic[StateT, ActionT]):
@@ -25,6 +39,10 @@ class Moment(NamedTuple, Generic[StateT, ActionT]):
     tutor_action: ActionT
     situation: str
     """What the tutor says it is in; empty where it says nothing."""
+    margins: Margins | None = None
+    """How far this state is from a violation, for the conditions that declare it; None at the beginning."""
+    levels: Levels | None = None
+    """What each level would execute; None where nobody can say, as in a test of a part by itself."""
 
 
 class GradedAction(NamedTuple, Generic[ActionT]):

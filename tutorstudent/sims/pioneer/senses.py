@@ -81,11 +81,14 @@ class Senses:
         self._noise = ReadNoise(options.sonar_noise, len(SONARS), options.sonar_range_m, [rng])
         self._past: deque[Sequence[Pose]] = deque(maxlen=options.sensor_latency + 1)
         self._stalls: deque[bool] = deque(maxlen=options.stall_latency + 1)
+        self._bumped = False
+        """Whether any tick since the last state was reported as stalled."""
 
     def remember(self, poses: Sequence[Pose], stalled: bool) -> None:
         """Note the poses, a new sequence each time, and the learner's stall after a tick, or at the start."""
         self._past.append(poses)
         self._stalls.append(stalled)
+        self._bumped |= self._stalls[0]
 
     def sense(self) -> PioneerState:
         """Return what is sensed now; at the start of a trial, where nothing older is known, what was there first."""
@@ -94,7 +97,8 @@ class Senses:
         fractions = self._bullet.cast(*self._ring.make_rays([poses[self._learner]]))
         ranges = self._noise.read(self._ring.ranges_m(fractions))[0]
         ranges.setflags(write=False)
-        return PioneerState(sonar_m=ranges, blobs=self._camera.look(poses), stalled=self._stalls[0])
+        bumped, self._bumped = self._bumped, False
+        return PioneerState(sonar_m=ranges, blobs=self._camera.look(poses), stalled=self._stalls[0], bumped=bumped)
 
 
 def find_coloured(layout: Layout, colours: Sequence[str]) -> list[tuple[int, str]]:

@@ -6,7 +6,7 @@ is left (Thesis 3.3.1).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -60,7 +60,9 @@ class PioneerState:
     blobs: tuple[Blob, ...]
     """What the camera sees, nearest first."""
     stalled: bool
-    """The robot's own motion was refused, as the robot reports it (possibly late)."""
+    """The robot's own motion was refused in the newest tick, as the robot reports it (possibly late)."""
+    bumped: bool = field(default=False, kw_only=True)
+    """It reported that for any tick since the state before, the newest included."""
 
     @classmethod
     def examples(cls) -> list[PioneerState]:
@@ -70,4 +72,5 @@ class PioneerState:
         views = ((), (red,), (blue, red), (Blob("red", -1.0, 4.0, 0.05), Blob("blue", 0.0, 6.0, 0.04)))
         for sonar_m in ranges:
             sonar_m.setflags(write=False)
-        return [cls(sonar_m, blobs, stalled=sonar_m is ranges[1]) for sonar_m in ranges for blobs in views]
+        walled = [(sonar_m, sonar_m is ranges[1]) for sonar_m in ranges]
+        return [cls(sonar_m, blobs, stall, bumped=stall) for sonar_m, stall in walled for blobs in views]

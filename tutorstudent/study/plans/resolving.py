@@ -7,7 +7,7 @@ from contextlib import closing, contextmanager
 from typing import Any, NamedTuple
 
 from tutorstudent.core.deciding.guard import is_owners
-from tutorstudent.core.deciding.reach import find_highest
+from tutorstudent.core.deciding.reach import HIGHEST_USEFUL, find_highest
 from tutorstudent.core.files.pipeline import Built, Pipeline, describe
 from tutorstudent.core.files.plainvalues import make_plain
 from tutorstudent.core.files.registry import Registry
@@ -19,8 +19,6 @@ from tutorstudent.core.running.observers import Entries
 from tutorstudent.core.running.runner import make_trial_seed
 
 Values = Mapping[str, Any]
-HIGHEST_LEVEL = 8
-"""The thesis's (3.3.2)."""
 UNAMPLIFIED = ("world", "tutor", "conditions", "observers", "on_tutor_failure")
 """The keys that matter where nothing is amplified."""
 
@@ -37,7 +35,7 @@ class Resolved(NamedTuple):
     """What the student looks at, where it has an encoder."""
     counters: dict[str, str]
     """What its observers count, such as ``attractors``, and the situation whose entries that is."""
-    highest_level: int = HIGHEST_LEVEL
+    highest_level: int = HIGHEST_USEFUL
     """Up to the thesis's eight, what the limits allow; constant levels beyond it are one and the same."""
     goal_event: str = ""
     """What its world counts for achievement; empty where it does not say."""
@@ -57,7 +55,7 @@ def resolve(pipeline: Pipeline) -> Resolved:
             make_plain(engine.amplifier.change.describe(), "amplifier.change"),
             make_plain(encoders[0].describe(), "student.encoder") if encoders else None,
             {observer.counted: observer.situation for observer in observers if isinstance(observer, Entries)},
-            find_highest(engine.tutor.action, engine.amplifier, engine.limits, HIGHEST_LEVEL),
+            find_highest(engine.tutor.action, engine.amplifier, engine.limits, HIGHEST_USEFUL),
             world.goal_event,
         )
 

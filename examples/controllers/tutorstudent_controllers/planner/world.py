@@ -56,4 +56,4 @@ class LocatedWorld(PioneerWorld):
             self._pose.y_m + self.options.place_noise_m * y,
             self._pose.heading_rad + self.options.heading_noise_rad * heading,
         )
-        return LocatedState(state.sonar_m, state.blobs, state.stalled, pose, self._outlines)
+        return LocatedState(state.sonar_m, state.blobs, state.stalled, pose, self._outlines, bumped=state.bumped)
