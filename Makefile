@@ -7,7 +7,8 @@ PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
 .PHONY: help demo picture compare test check fix format lint types quick lowest tests slow soak mutants bench install hooks docs clean \
-	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke
+	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke \
+	student-controllers student-pioneer
 
 help: ## say what there is
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
@@ -90,6 +91,14 @@ controllers controllers-smoke:
 	$(CONTROLLED)/walker --goal reward $(CONTROLLERS)/box2d/walker.yaml $(CONTROLLERS)/box2d/walker-constant-2.yaml
 	$(CONTROLLED)/lander --goal reward $(CONTROLLERS)/box2d/lander.yaml
 	$(BIN)/python -m tutorstudent_controllers studies/$@
+
+REGIMES = $(BIN)/python -m tutorstudent_controllers.regimes
+
+student-controllers: $(VENV)/.dev ## the default student in eleven regimes of five controllers: docs/student.md; resumable
+	nice $(REGIMES) controllers --workers $(WORKERS) --out studies/$@
+
+student-pioneer: $(VENV)/.dev $(VENV)/.prototype2 ## the same on the Pioneer: four scenes, three regimes; resumable too
+	nice $(REGIMES) pioneer --workers $(WORKERS) --out studies/$@
 
 test: check ## all checks: format, lint, types, tests with warnings as errors
 check: format lint types docs tests

@@ -42,7 +42,8 @@ def wrap(
         condition: Operational condition: true means violated.
         conditions: Several of them.
         ranges: Low and high of each number of the state, or of those that are named: ``{"pose.x": (0, 5)}``; of a
-            single number also ``(0, 100)``. Without them the student sees only the controller's own command.
+            single number also ``(0, 100)``. With them the student is ``table``, which learns a level for every part
+            of the ranges; without them it is ``budgeted``, which needs no inputs.
         factor: The executed magnitude is at most this many times the controller's own.
         slew: Largest change of the amplification level from one decision to the next.
         seed: The one seed.
@@ -54,7 +55,7 @@ def wrap(
     """
     if len(ranges) and "student" in slots:
         raise ContractError(
-            "wrap(): found ranges= and student=; ranges are for the default student. Write them into yours, as in "
+            "wrap(): found ranges= and student=; ranges make the student 'table'. Write them into yours, as in "
             "student={'use': 'table', 'encoder': {'use': 'ranges', 'ranges': [[0, 100]]}, 'codec': 'level-ampbit'}."
         )
     found = [condition, *conditions] if condition is not None else list(conditions)
@@ -68,10 +69,14 @@ def wrap(
 
 def _make_defaults(tutor: Tutor[Any, Any], ranges: Ranges) -> dict[str, Any]:
     """Return what stands in for slots that are not given: a pipeline's defaults of one kind, whatever the kinds."""
-    declared = dict(ranges) if isinstance(ranges, Mapping) else np.asarray(ranges).tolist()
-    student = ONE_KIND["student"] | {"encoder": {"use": "ranges", "ranges": declared}}
     others = {} if has_one_kind(tutor) else {key: ONE_KIND[key] for key in ("selector", "amplifier")}
-    return {"student": student} | others
+    return {"student": _make_table(ranges) if len(ranges) else ONE_KIND["student"]} | others
+
+
+def _make_table(ranges: Ranges) -> dict[str, Any]:
+    """Return the student that learns a level for every part of the ranges."""
+    declared = dict(ranges) if isinstance(ranges, Mapping) else np.asarray(ranges).tolist()
+    return {"use": "table", "encoder": {"use": "ranges", "ranges": declared}, "codec": "level-ampbit"}
 
 
 def _name_conditions(conditions: Sequence[Predicate | Condition[Any]]) -> list[Condition[Any]]:

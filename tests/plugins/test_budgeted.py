@@ -22,7 +22,7 @@ def play(
     plant: Callable[[list[int]], bool], decisions: int, highest: int = 8, pace: Pace = PACE
 ) -> tuple[BudgetController, list[int], list[bool]]:
     """Return the controller, its levels and the violations of a plant that is a function of all levels so far."""
-    controller = BudgetController(pace)
+    controller = BudgetController(pace, 0.0)
     levels: list[int] = []
     violations: list[bool] = []
     for _ in range(decisions):
@@ -56,7 +56,7 @@ def test_it_never_asks_for_more_than_there_is(highest: int) -> None:
 
 
 def test_an_own_violation_takes_a_tenth_of_a_level_and_budget_gives_it_back() -> None:
-    controller = BudgetController(PACE)
+    controller = BudgetController(PACE, 0.0)
     controller.level = 2.5
     controller.learn(2, violated=True)
     assert pytest.approx(2.5 - 0.1 + 0.0003) == controller.level
@@ -75,7 +75,7 @@ def test_at_a_level_where_the_budget_is_just_spent_it_stays() -> None:
 
 
 def test_a_violation_without_amplification_before_it_is_the_controllers_own_and_costs_nothing() -> None:
-    controller = BudgetController(PACE)
+    controller = BudgetController(PACE, 0.0)
     for _ in range(100):
         controller.learn(0, violated=True)
     assert 0 == controller.own
@@ -84,14 +84,14 @@ def test_a_violation_without_amplification_before_it_is_the_controllers_own_and_
 
 @pytest.mark.parametrize(("decisions_later", "own"), [(0, 1), (1, 1), (20, 1), (21, 0)])
 def test_a_violation_is_its_own_as_far_as_the_window_reaches(decisions_later: int, own: int) -> None:
-    controller = BudgetController(PACE)
+    controller = BudgetController(PACE, 0.0)
     for number in range(decisions_later + 1):
         controller.learn(3 if number == 0 else 0, violated=number == decisions_later)
     assert own == controller.own
 
 
 def test_nothing_is_laid_to_what_was_amplified_before_the_trial() -> None:
-    controller = BudgetController(PACE)
+    controller = BudgetController(PACE, 0.0)
     controller.learn(3, violated=False)
     controller.forget()
     controller.learn(0, violated=True)
@@ -99,7 +99,7 @@ def test_nothing_is_laid_to_what_was_amplified_before_the_trial() -> None:
 
 
 def test_a_decision_that_teaches_nothing_is_remembered_as_amplified() -> None:
-    controller = BudgetController(PACE)
+    controller = BudgetController(PACE, 0.0)
     controller.pass_over(3)
     controller.learn(0, violated=True)
     assert 1 == controller.own
@@ -151,7 +151,7 @@ PLANTS: dict[str, Callable[[list[int]], bool]] = {
     "pace", [PACE, Pace(0.02, 0.5, 0.01, 20), Pace(0.001, 0.05, 0.0, 20)], ids=["default", "fast", "slow"]
 )
 def test_own_violations_stay_within_the_budget_and_a_constant_whatever_the_plant_does(plant: str, pace: Pace) -> None:
-    controller = BudgetController(pace)
+    controller = BudgetController(pace, 0.0)
     levels: list[int] = []
     start, since = None, 0
     for _ in range(20_000):
@@ -169,7 +169,7 @@ def test_own_violations_stay_within_the_budget_and_a_constant_whatever_the_plant
 def test_the_book_balances_to_the_last_violation() -> None:
     """Without climb and ceiling: level = start + fall x (budget x decisions - own), counted exactly."""
     pace = Pace(0.25, 0.5, 0.0, 20)  # exact in binary
-    controller = BudgetController(pace)
+    controller = BudgetController(pace, 0.0)
     controller.level, draw = 3.0, random.Random(3)
     controller.learn(3, violated=True)
     for _ in range(999):
@@ -180,7 +180,7 @@ def test_the_book_balances_to_the_last_violation() -> None:
 
 def test_a_blind_twin_climbs_to_the_top_and_stays_where_it_violates() -> None:
     seeing, _, told = play(late_cliff(3, 8), 10_000)
-    blind = BudgetController(PACE)
+    blind = BudgetController(PACE, 0.0)
     levels: list[int] = []
     untold = 0
     for _ in range(10_000):
@@ -207,7 +207,7 @@ def loop_of(violated: Callable[[float], bool] = lambda y: False, **slots: Any) -
 def test_a_wrapped_controller_is_amplified_step_by_step_to_what_factor_allows() -> None:
     loop = loop_of()
     commands = [loop.step(0.0) for _ in range(1000)]
-    assert [0.5, 0.55, 0.6, 0.65] == sorted({round(command, 9) for command in commands})
+    assert [0.55, 0.6, 0.65] == sorted({round(command, 9) for command in commands})
     assert 0.65 == round(commands[-1], 9)
     assert commands == sorted(commands)
 
@@ -284,7 +284,15 @@ def test_what_it_cannot_have_learned_is_refused_and_changes_nothing(state: dict[
 
 @pytest.mark.parametrize(
     ("option", "bad"),
-    [("budget", 0.0), ("budget", 1.0), ("budget", float("nan")), ("fall", 0.0), ("climb", -0.1), ("window", -1)],
+    [
+        ("budget", 0.0),
+        ("budget", 1.0),
+        ("budget", float("nan")),
+        ("fall", 0.0),
+        ("climb", -0.1),
+        ("window", -1),
+        ("begin", -0.5),
+    ],
 )
 def test_options_that_make_no_sense_are_refused(option: str, bad: float) -> None:
     with pytest.raises(ts.PipelineError, match=option):

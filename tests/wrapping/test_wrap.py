@@ -22,13 +22,20 @@ def half(_: Any) -> float:
 
 def test_a_command_that_is_not_amplified_is_the_controllers_own_object() -> None:
     command = np.array([0.3, -0.4])
-    loop = ts.wrap(lambda _: command, action=ts.vector(-1, 1, 2), amplifier="never")
+    loop = ts.wrap(lambda _: command, action=ts.vector(-1, 1, 2), student="silent")
     assert command is loop.step(0.0)
 
 
 def test_it_is_amplified_up_to_the_factor_one_level_at_a_time() -> None:
-    loop = ts.wrap(half, action=UNIT)
+    loop = ts.wrap(half, action=UNIT, student={"use": "constant", "level": 8})
     assert [0.55, 0.6, 0.65, 0.65, 0.65] == pytest.approx([loop.step(0.0) for _ in range(5)])
+
+
+def test_by_default_it_begins_at_level_1_and_climbs_while_nothing_is_violated() -> None:
+    loop = ts.wrap(half, action=UNIT, condition=lambda y: y > 80)
+    assert "budgeted" == loop.engine.student.name
+    commands = [loop.step(0.0) for _ in range(600)]
+    assert [0.55, 0.6, 0.65] == pytest.approx([commands[0], commands[300], commands[599]])
 
 
 def test_a_violation_is_unlearned() -> None:

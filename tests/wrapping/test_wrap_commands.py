@@ -271,7 +271,7 @@ class Limited:
 
 def test_an_amplified_command_that_its_type_refuses_costs_the_amplification_and_is_an_incident() -> None:
     command = Limited(0.5)
-    loop = ts.wrap(lambda _: command, action=SPEED)
+    loop = ts.wrap(lambda _: command, action=SPEED, student={"use": "constant", "level": 2})
     assert pytest.approx(0.55) == loop.step(0.0).speed
     assert command is loop.step(0.0)
     assert {("action", "raised"): 1} == loop.engine.incident_counts
@@ -283,7 +283,7 @@ def test_an_amplified_command_that_its_type_refuses_costs_the_amplification_and_
 
 
 def test_where_incidents_are_to_be_raised_a_refused_command_is() -> None:
-    loop = ts.wrap(lambda _: Limited(0.5), action=SPEED, on_incident="raise")
+    loop = ts.wrap(lambda _: Limited(0.5), action=SPEED, on_incident="raise", student={"use": "constant", "level": 2})
     loop.step(0.0)
     with pytest.raises(ts.ContractError, match="decision 1: action: raised: ValueError: too fast"):
         loop.step(0.0)

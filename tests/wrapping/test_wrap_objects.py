@@ -44,7 +44,7 @@ def test_it_hears_what_was_executed_in_its_own_type_before_the_next_command() ->
 
 def test_it_hears_its_own_object_where_nothing_was_amplified() -> None:
     pid = Pid()
-    loop = ts.wrap(pid, action=DRIVE, amplifier="never")
+    loop = ts.wrap(pid, action=DRIVE, student="silent")
     loop.step(0.0)
     loop.step(0.0)
     assert pid.said[0] is pid.heard[0]
@@ -109,7 +109,7 @@ class Namesake:
 
 
 def test_attributes_that_only_have_these_names_are_left_alone() -> None:
-    loop = ts.wrap(Namesake(), action=UNIT, on_incident="raise")
+    loop = ts.wrap(Namesake(), action=UNIT, on_incident="raise", student={"use": "constant", "level": 2})
     assert pytest.approx([0.55, 0.6]) == [loop.step(0.0), loop.step(0.0)]
     loop.engine.reset()
     assert pytest.approx(0.55) == loop.step(0.0)

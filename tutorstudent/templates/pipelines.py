@@ -5,27 +5,29 @@ from __future__ import annotations
 PLAIN = {
     "world": "{use: pioneer, scene: cave-box}",
     "tutor": "prototype2",
-    "student": "{use: backprop, encoder: prototype2-bits, codec: kind-level-ampbit}",
-    "selector": "same-kind",
-    "amplifier": "{use: learning-phase, decisions: 500}",
+    "student": "budgeted",
+    "selector": "modifier",
+    "amplifier": "never",
     "evaluator": "conditions",
     "conditions": "[bumped]",
     "observers": "[attractors]",
 }
 """Every slot as it is where the new part does not go."""
 
-_LEVELS = {"selector": "modifier"}
+_NETWORK = "{use: backprop, encoder: prototype2-bits, codec: kind-level-ampbit}"
+_THESIS = {"student": _NETWORK, "selector": "same-kind", "amplifier": "{use: learning-phase, decisions: 500}"}
+"""The thesis's student, for parts that it needs."""
 
 WITH: dict[str, dict[str, str]] = {
     "tutor": {"tutor": "$name", "observers": "[$name-approaches]"},
-    "student": {"student": "$name"} | _LEVELS,
-    "selector": {"selector": "$name"},
-    "amplifier": {"amplifier": "$name"},
-    "evaluator": {"evaluator": "$name"},
+    "student": _THESIS | {"student": "$name", "selector": "modifier"},
+    "selector": _THESIS | {"selector": "$name"},
+    "amplifier": _THESIS | {"amplifier": "$name"},
+    "evaluator": _THESIS | {"evaluator": "$name"},
     "world": {"world": "$name", "observers": "[]"},
-    "encoder": {"student": "{use: backprop, encoder: $name, codec: kind-level-ampbit}"},
-    "codec": {"student": "{use: backprop, encoder: prototype2-bits, codec: $name}"} | _LEVELS,
-    "change": {"amplifier": "{use: learning-phase, decisions: 500, change: $name}"},
+    "encoder": _THESIS | {"student": _NETWORK.replace("prototype2-bits", "$name")},
+    "codec": _THESIS | {"student": _NETWORK.replace("kind-level-ampbit", "$name"), "selector": "modifier"},
+    "change": _THESIS | {"amplifier": "{use: learning-phase, decisions: 500, change: $name}"},
     "condition": {"conditions": "[$name]"},
     "observer": {"observers": "[attractors, $name]"},
 }

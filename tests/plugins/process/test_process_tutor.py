@@ -97,7 +97,7 @@ def test_the_situation_is_the_programs(tmp_path: Path) -> None:
 def test_an_engine_amplifies_what_it_says_and_tells_it(tmp_path: Path) -> None:
     log = tmp_path / "log"
     part = ProcessTutor(program=logging_program(log), action=UNIT, deadline_s=20.0, close_timeout_s=20.0)
-    loop = ts.wrap(part)
+    loop = ts.wrap(part, student={"use": "constant", "level": 2})
     assert [0.55, 0.6] == pytest.approx([loop.step(0.0).value for _ in range(2)])
     loop.step(0.0)
     loop.engine.close()

@@ -27,7 +27,7 @@ DEFAULTS: dict[str, Any] = {
 CHANGE = "multiplicative"
 FACTOR, SLEW = 1.3, 1
 ONE_KIND: dict[str, Any] = {
-    "student": {"use": "table", "encoder": {"use": "ranges", "ranges": []}, "codec": "level-ampbit"},
+    "student": "budgeted",
     "selector": "modifier",
     "amplifier": {"use": "learning-phase", "decisions": 0, "change": CHANGE},
     "limits": {"factor": FACTOR, "slew": SLEW},

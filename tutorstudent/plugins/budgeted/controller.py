@@ -38,9 +38,9 @@ class BudgetController:
     violation takes `fall` away. The level may fall below 0: what was spent beyond the budget is made up for.
     """
 
-    def __init__(self, pace: Pace) -> None:
+    def __init__(self, pace: Pace, level: float) -> None:
         self.pace = pace
-        self.level = 0.0
+        self.level = level
         """A real number; its whole part is asked for."""
         self.own = 0
         """Own violations so far."""

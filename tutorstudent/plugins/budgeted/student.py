@@ -35,11 +35,14 @@ class Budgeted(Student[StateT, ActionT, LevelProposal]):
             0.003, gt=0, lt=1, description="violations per decision that may be its own, in the long run"
         )
         fall: float = Field(0.1, gt=0, le=100, description="levels that each own violation takes away")
+        begin: float = Field(1.0, ge=0, le=8, description="level to begin with; its whole part is asked for")
         climb: float = Field(0.004, ge=0, le=1, description="levels per decision before the first own violation")
         window: int = Field(20, ge=0, description="decisions after an amplified one in which a violation is its own")
 
     def setup(self) -> None:
-        self._controller = BudgetController(Pace(**self.options.model_dump()))
+        options = self.options
+        pace = Pace(options.budget, options.fall, options.climb, options.window)
+        self._controller = BudgetController(pace, options.begin)
         self._proposals = [LevelProposal(level=level, ampbit=False) for level in range(HIGHEST + 1)]
 
     @property

@@ -19,6 +19,8 @@ class PlateOptions(ts.Options):
     """The plate, its surroundings and its recipe."""
 
     gain_k: float = ts.Field(40.0, gt=0, le=1000, description="steady temperature at full power, K above ambient")
+    later_gain_k: float | None = ts.Field(None, gt=0, le=1000, description="the same from a moment on; none: no change")
+    later_s: float = ts.Field(0.0, ge=0, description="that moment, s")
     lag_s: float = ts.Field(20.0, gt=0, le=10_000, description="time constant, s")
     dead_time_s: float = ts.Field(4.0, ge=0, le=1000, description="before power shows in the readings, s")
     sample_s: float = ts.Field(0.5, gt=0, le=10, description="time between two decisions, s")
@@ -94,8 +96,13 @@ class Plate(ts.World[PlateState, Heat]):
         push_k = options.drift_k * math.sqrt(1 - keep**2)
         self._drift_k = keep * self._drift_k + push_k * self._weather.standard_normal()
         approached = 1 - math.exp(-options.sample_s / options.lag_s)
-        self._plate_k += approached * (options.gain_k * power + self._drift_k - self._plate_k)
+        self._plate_k += approached * (self._find_gain_k() * power + self._drift_k - self._plate_k)
         self._time_s += options.sample_s
+
+    def _find_gain_k(self) -> float:
+        options = self.options
+        later_k = options.later_gain_k
+        return options.gain_k if later_k is None or self._time_s < options.later_s else later_k
 
     def _read(self) -> float:
         return self._plate_k + self.options.noise_k * float(self._readings.standard_normal())
