@@ -22,7 +22,7 @@ def half(_: Any) -> float:
 
 def test_a_command_that_is_not_amplified_is_the_controllers_own_object() -> None:
     command = np.array([0.3, -0.4])
-    loop = ts.wrap(lambda _: command, action=ts.vector(-1, 1, 2), student="silent")
+    loop = ts.wrap(lambda _: command, action=ts.vector(-1, 1, 2), student="silent", amplifier="never")
     assert command is loop.step(0.0)
 
 

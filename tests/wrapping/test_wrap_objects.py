@@ -44,7 +44,7 @@ def test_it_hears_what_was_executed_in_its_own_type_before_the_next_command() ->
 
 def test_it_hears_its_own_object_where_nothing_was_amplified() -> None:
     pid = Pid()
-    loop = ts.wrap(pid, action=DRIVE, student="silent")
+    loop = ts.wrap(pid, action=DRIVE, student="silent", amplifier="never")
     loop.step(0.0)
     loop.step(0.0)
     assert pid.said[0] is pid.heard[0]

@@ -12,7 +12,7 @@ from ruamel.yaml import YAML
 
 import tutorstudent as ts
 
-FILE = resources.files("tutorstudent_controllers.regimes") / "registered.yaml"
+FILE = resources.files("tutorstudent_controllers.regimes") / "registered.yml"
 LEVELS = range(1, 9)
 
 
