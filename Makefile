@@ -34,10 +34,10 @@ install: $(VENV)/.dev ## set up the virtual environment with everything
 hooks: $(VENV)/.dev ## format, lint and types before every commit, by pre-commit
 	$(BIN)/pre-commit install
 
-demo: $(VENV)/.demo ## prototype 2 and 2A in two environments: table and page
+demo: $(VENV)/.demo ## prototype 2 alone, with the default student and as 2A, in two environments: table and page
 	rm -rf demo-out
-	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/prototype2a.yaml \
-		--vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --search-runs 0 \
+	$(BIN)/tutorstudent compare $(PIPELINES)/prototype2.yaml $(PIPELINES)/budgeted.yaml \
+		$(PIPELINES)/prototype2a.yaml --vary world.scene=chase-avoid,cave-box --runs 3 --decisions 10000 --search-runs 0 \
 		--workers $(WORKERS) --out demo-out
 
 picture: demo ## the README's picture, from the runs of the demo

@@ -21,7 +21,7 @@ from tutorstudent.study.runs.sketches import load_sketch
 ENVIRONMENT = "cave-box"
 PANELS = {
     "prototype2": "The controller alone",
-    "prototype2a": "With the learner",
+    "budgeted": "With the default student",
     "constant-4": "Without a learner: always level 4",
 }
 

@@ -78,7 +78,7 @@ def parts_work() -> Work:
         "engine, silent student": (loop(fixed.step, inputs), DECISIONS),
         "the controller that is wrapped, alone": (loop(_half, [0.3] * DECISIONS), DECISIONS),
         "wrap, silent student": (loop(silent.step, [0.3] * DECISIONS), DECISIONS),
-        "wrap as in the README (table student, one condition)": (loop(readme.step, [0.3] * DECISIONS), DECISIONS),
+        "wrap as in the README (default student, one condition)": (loop(readme.step, [0.3] * DECISIONS), DECISIONS),
         "prototype 2, acting": (loop(tutor.act, inputs), DECISIONS),
         "whole cycle without world, 14-30-7, teaching rate 3": (loop(engine(FULL).step, inputs), DECISIONS),
         "network, forward": (loop(lambda _: network.forward(x), inputs), DECISIONS),

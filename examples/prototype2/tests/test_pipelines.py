@@ -42,8 +42,9 @@ def test_every_pipeline_builds_under_the_frozen_setting(name: str) -> None:
 
 
 def test_the_learning_phases_are_the_thesiss() -> None:
-    phases = {name: values(name)["amplifier"] for name in NAMES[1:]}
-    assert [2500, 5000, 7500, 2500] == [phases[name]["decisions"] for name in NAMES[1:]]
+    learners = [name for name in NAMES if name not in ("prototype2", "budgeted")]
+    phases = {name: values(name)["amplifier"] for name in learners}
+    assert [2500, 5000, 7500, 2500] == [phases[name]["decisions"] for name in learners]
     assert {"learning-phase"} == {phase["use"] for phase in phases.values()}
 
 
@@ -52,13 +53,20 @@ def test_a_setting_reaches_world_tutor_and_encoder(name: str) -> None:
     found = values(name, SETTING)
     assert {"use": "pioneer", "scene": "cave-box", **SETTING["world"]} == found["world"]
     assert {"use": "prototype2", **SETTING["tutor"]} == found["tutor"]
-    if name != "prototype2":
+    if name not in ("prototype2", "budgeted"):
         thresholds = {"front_m": 0.25, "clear_m": 0.9, "back_m": 0.4}
         assert {"use": "prototype2-bits", **thresholds} == found["student"]["encoder"]
 
 
 def test_the_tutor_alone_has_no_encoder() -> None:
     assert "silent" == values("prototype2", SETTING)["student"]
+
+
+def test_the_default_student_has_no_encoder_and_the_same_changes_as_prototype_2a() -> None:
+    found, network = values("budgeted", SETTING), values("prototype2a", SETTING)
+    assert "budgeted" == found["student"]
+    assert {"use": "never", "amount": 0.1, "change": "additive"} == found["amplifier"]
+    assert all(found[key] == network[key] for key in ("world", "tutor", "conditions", "limits", "observers"))
 
 
 def test_the_student_sees_what_the_tutor_reacts_to() -> None:

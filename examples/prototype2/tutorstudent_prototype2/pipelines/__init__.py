@@ -19,7 +19,7 @@ Setting = Mapping[str, Mapping[str, Any]]
 """Options of ``world``, ``tutor`` and ``encoder``, each by name; what is left out keeps its default."""
 
 FOLDER = Path(__file__).parent
-NAMES = ("prototype2", "prototype2a", "prototype2a-5000", "prototype2a-7500", "streamlined")
+NAMES = ("prototype2", "prototype2a", "prototype2a-5000", "prototype2a-7500", "streamlined", "budgeted")
 """The pipelines; ``prototype2a`` has the learning phase of 2500 decisions."""
 ENVIRONMENTS = ("chase-avoid", "cave-box", "cave-predator-prey", "cave-predator-prey-box")
 """The scenes of Thesis 4.3.2 to 4.3.5."""
