@@ -97,7 +97,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
             self._guard,
         )
         self._corrector: Corrector[StateT, ActionT] = Corrector(limiter, self._guard)
-        self._turnstile = Turnstile()
+        self._turnstile = Turnstile(self._guard)
 
     @property
     def decisions(self) -> int:
@@ -205,6 +205,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
 
     def close(self) -> None:
         """Let every part go, whatever some of them raise."""
+        self._guard.begin_call()
         self._guard.attend(self.decisions)
         self._guard.call_all((slot, part.close) for slot, part in self.slots())
 

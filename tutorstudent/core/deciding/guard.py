@@ -43,12 +43,15 @@ class Guard:
         self._decision = 0
         self._incidents: list[Incident] = []
         self.recursion_limit = getrecursionlimit()
-        """Python's, as it was when the decision began."""
+        """Python's, as it was when the owner called."""
+
+    def begin_call(self) -> None:
+        """Take in that the owner calls: what the recursion limit is now, is the owner's."""
+        self.recursion_limit = getrecursionlimit()
 
     def attend(self, decision: int) -> list[Incident]:
         """Return the list that everything goes into which goes wrong from now on, until the next call."""
         self._decision, self._incidents = decision, []
-        self.recursion_limit = getrecursionlimit()
         self._first = decision if self._first is None else self._first
         return self._incidents
 

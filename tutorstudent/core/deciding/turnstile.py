@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.words.errors import ContractError
 
 
 class Turnstile:
-    """Lets one call into an engine at a time; a part that calls the engine it works in is refused."""
+    """Lets one call into an engine at a time; a part that calls the engine it works in is refused.
 
-    __slots__ = ("_is_taken",)
+    What the recursion limit is when a call comes in is the owner's; parts must leave it so.
+    """
 
-    def __init__(self) -> None:
-        self._is_taken = False
+    __slots__ = ("_guard", "_is_taken")
+
+    def __init__(self, guard: Guard) -> None:
+        self._guard, self._is_taken = guard, False
 
     def __enter__(self) -> None:
         if self._is_taken:
@@ -20,6 +24,7 @@ class Turnstile:
                 "threads must not share one."
             )
         self._is_taken = True
+        self._guard.begin_call()
 
     def __exit__(self, *error: object) -> None:
         self._is_taken = False
