@@ -40,7 +40,12 @@ class Mutant(NamedTuple):
 def make_mutants(source: str) -> Iterator[Mutant]:
     """Yield a file once for each fault that can be put into its functions."""
     tree = ast.parse(source)
+    strict = {
+        keyword.value for keyword in ast.walk(tree) if isinstance(keyword, ast.keyword) and keyword.arg == "strict"
+    }
     for number, node in enumerate(ast.walk(tree)):
+        if node in strict:  # of zip(): lengths that are the same make no difference
+            continue
         for what, _ in enumerate(list_faults(node)):
             changed = copy.deepcopy(tree)
             name = list_faults(next(n for i, n in enumerate(ast.walk(changed)) if i == number), what)[what]
@@ -73,7 +78,7 @@ def _find_faults(node: ast.AST) -> Iterator[tuple]:
     elif isinstance(node, ast.Constant) and type(node.value) in (int, float, bool):
         value = not node.value if isinstance(node.value, bool) else node.value + 1
         yield f"{node.value} becomes {value}", "value", value
-    elif isinstance(node, ast.Return) and node.value is not None and not _is_none(node.value):
+    elif isinstance(node, ast.Return) and node.value is not None and not _is_false(node.value):
         yield "returns None", "value", ast.Constant(None)
     elif isinstance(node, ast.If | ast.IfExp):
         yield "the condition is turned round", "test", ast.UnaryOp(ast.Not(), node.test)
@@ -89,8 +94,9 @@ def _find_dropped(node: ast.AST) -> Iterator[tuple]:
                 yield f"drops: {ast.unparse(statement)[:70]}", field, ast.Pass(), place
 
 
-def _is_none(value: ast.expr) -> bool:
-    return isinstance(value, ast.Constant) and value.value is None
+def _is_false(value: ast.expr) -> bool:
+    """Return whether a value is as false as None, so that it makes no difference where truth is all that counts."""
+    return isinstance(value, ast.Constant) and not value.value
 
 
 def _is_text(statement: ast.stmt) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from pydantic import ValidationError
@@ -15,7 +15,7 @@ from tutorstudent.core.deciding.engine import Engine
 from tutorstudent.core.deciding.limits import Limits
 from tutorstudent.core.deciding.reach import find_highest
 from tutorstudent.core.roles.leaves import change
-from tutorstudent.core.words.actions import Action
+from tutorstudent.core.words.actions import Action, AmplificationMap, component
 from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.plugins.amplifiers import LearningPhase, Never
 from tutorstudent.plugins.changes import Additive, Multiplicative
@@ -260,6 +260,40 @@ def test_what_somebody_took_back_has_level_0_and_says_so() -> None:
     assert 0 == wrapped.pending.resulting.level
     wrapped.evaluate(None)
     assert "executed" == wrapped.last.limited_by
+
+
+class Press(Action):
+    """A press that is let go upwards, and whose rest is its upper end."""
+
+    force: float = component(-1.0, 0.0)
+    amplification: ClassVar[AmplificationMap] = {"command": {"force": "+"}}
+
+
+STOPPED = {
+    "outward at its bound": (Valve(opening=2.0), "bounds"),
+    "outward at neutral": (Valve(opening=0.0), "nothing to move"),
+    "upward at neutral, which is its bound": (Press(force=0.0), "bounds"),
+}
+
+
+@pytest.mark.parametrize("case", STOPPED)
+def test_a_bound_is_told_from_having_nothing_to_move(case: str) -> None:
+    action, by = STOPPED[case]
+    wrapped = engine(len, level(3), tutor=tutor(action))
+    assert action is wrapped.step("a state")
+    wrapped.evaluate("another")
+    assert by == wrapped.last.limited_by
+
+
+def test_a_change_that_moves_nothing_has_nothing_to_move() -> None:
+    @change("none")
+    def none(amplification: float, magnitude: float) -> float:
+        return 0.0
+
+    wrapped = engine(forward(0.1), level(7), amplifier=Never(change=none()))
+    wrapped.step(None)
+    wrapped.evaluate(None)
+    assert "nothing to move" == wrapped.last.limited_by
 
 
 HIGHEST = {

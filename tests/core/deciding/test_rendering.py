@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from pydantic import model_validator
+from pydantic import field_validator, model_validator
 
 from tests.core.oracle.scripted import ScriptedTutor, engine, level
 from tests.core.oracle.shapes import Flight, Oven, Valve
@@ -204,3 +204,20 @@ def test_a_class_that_changes_what_is_not_amplified_is_refused() -> None:
     wrapped = engine(len, level(3), tutor=tutor, limits=WIDE)
     assert wrapped.step(None) is said
     assert {("action", "mutated"): 1} == wrapped.incident_counts
+
+
+class Copying(Action):
+    """A class whose validator makes a new object of every value, and leaves the value alone."""
+
+    speed: float = component(-1.0, 1.0)
+    other: float = component(-1.0, 1.0, default=0.3)
+    amplification: ClassVar[AmplificationMap] = {"command": {"speed": "outward"}}
+
+    @field_validator("speed", "other")
+    @classmethod
+    def _copy(cls, value: float) -> float:
+        return float(repr(value))
+
+
+def test_a_class_that_copies_its_values_is_rendered_like_any_other() -> None:
+    assert pytest.approx(0.5) == rendered(Copying(speed=0.2), 3).speed

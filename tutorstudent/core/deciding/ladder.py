@@ -66,7 +66,7 @@ class Ladder:
             return 0
         ends = self._reach(level)
         if ends == self._own:
-            self.limit = "bounds" if can_move(self._groups, self._values) else "nothing to move"
+            self.limit = "bounds" if self._is_stopped(level) else "nothing to move"
             return 0
         if self._reach(level - 1) != ends:
             return level
@@ -79,6 +79,11 @@ class Ladder:
                 low = middle
         self.limit = "bounds"
         return high
+
+    def _is_stopped(self, level: int) -> bool:
+        """Return whether a level would move something, were it not for the bounds."""
+        pairs = zip(self._groups, self.get_rung(level).fractions, strict=True)
+        return any(fraction > 0 and can_move(group, self._values) for group, fraction in pairs)
 
     def _reach(self, level: int) -> Ends | None:
         rung = self._allows(level)

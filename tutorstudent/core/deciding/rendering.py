@@ -25,9 +25,9 @@ def measure_distance(group: Group, ends: Sequence[float]) -> float:
     return abs(ends[0] - group.neutral[0]) if len(ends) == 1 else math.dist(ends, group.neutral)
 
 
-def can_move(groups: tuple[Group, ...], values: Mapping[str, float]) -> bool:
-    """Return whether there is anything to amplify in an action with these values."""
-    return any(group.direction != "outward" or measure_deviation(group, values) > 0 for group in groups)
+def can_move(group: Group, values: Mapping[str, float]) -> bool:
+    """Return whether there is a way for a group with these values, bounds aside."""
+    return group.direction != "outward" or measure_deviation(group, values) > 0
 
 
 def move(group: Group, values: Mapping[str, float], fraction: float) -> tuple[float, ...]:
@@ -61,9 +61,7 @@ def _move_vector(group: Group, values: Sequence[float], distance: float) -> tupl
 
 
 def render(original: ActionT, groups: tuple[Group, ...], ends: Ends) -> ActionT:
-    """Return the tutor's action with the values of every group where they were brought; without any, the original."""
-    if not ends:
-        return original
+    """Return the tutor's action with the values of every group where they were brought."""
     values, changed = original.__dict__, {}
     for group, end in zip(groups, ends, strict=True):
         for name, value in zip(group.names, end, strict=True):
