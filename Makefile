@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 PIPELINES := examples/prototype2/tutorstudent_prototype2/pipelines
 WORKERS ?= 2
 
-.PHONY: help demo picture compare test check fix format lint types quick lowest tests slow soak mutants bench install hooks docs clean \
+.PHONY: help demo picture compare test check fix format lint types quick lowest tests slow soak soak-full mutants bench install hooks docs clean \
 	walk freeze predict reproduce reproduce-smoke intervals transplant heldout controllers controllers-smoke \
 	student-controllers student-pioneer
 
@@ -141,6 +141,9 @@ docs: $(VENV)/.dev ## the site, with warnings as errors, into docs/_build
 
 soak: $(VENV)/.dev ## a million random decisions, hostile parts and command types: zero breaches of the behaviour contract
 	$(BIN)/python -m tests.soak --decisions 1000000 --seed 1
+
+soak-full: $(VENV)/.dev ## the same with ten million; most of an hour
+	$(BIN)/python -m tests.soak --decisions 10000000 --seed 1
 
 mutants: $(VENV)/.dev ## faults put into the deciding code one by one: which do the tests not notice? hours
 	nice $(BIN)/python -m tests.mutants

@@ -271,6 +271,7 @@ class Press(Action):
 
 STOPPED = {
     "outward at its bound": (Valve(opening=2.0), "bounds"),
+    "outward at its nearer bound": (Valve(opening=-1.0), "bounds"),
     "outward at neutral": (Valve(opening=0.0), "nothing to move"),
     "upward at neutral, which is its bound": (Press(force=0.0), "bounds"),
 }
