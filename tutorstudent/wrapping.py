@@ -45,7 +45,7 @@ def wrap(
             single number also ``(0, 100)``. With them the student is ``table``, which learns a level for every part
             of the ranges; without them it is ``budgeted``, which needs no inputs.
         factor: The executed magnitude is at most this many times the controller's own.
-        slew: Largest change of the amplification level from one decision to the next.
+        slew: Largest step of the amplification level, up or down; down at once where more would move nothing.
         seed: The one seed.
         slots: Other slots of a pipeline, as plain values: ``student={"use": "backprop", ...}``; ``limits`` adds to
             factor and slew.

@@ -18,6 +18,13 @@ from tutorstudent.plugins.budgeted.student import Budgeted
 PACE = Pace(budget=0.003, fall=0.1, climb=0.004, window=20)
 
 
+def standing(level: float, pace: Pace = PACE) -> BudgetController:
+    """Return a controller that has just asked for the whole part of a level."""
+    controller = BudgetController(pace, level)
+    controller.ask(8)
+    return controller
+
+
 def play(
     plant: Callable[[list[int]], bool], decisions: int, highest: int = 8, pace: Pace = PACE
 ) -> tuple[BudgetController, list[int], list[bool]]:
@@ -32,11 +39,10 @@ def play(
     return controller, levels, violations
 
 
-def bound(controller: BudgetController, start: float, decisions: int, slowest: int = 0) -> float:
+def bound(controller: BudgetController, start: float, decisions: int) -> float:
     """Return the most own violations that the theorem allows after the first one, at which the level was `start`."""
     pace = controller.pace
-    lowest = 1.0 - pace.fall * (pace.window + 1 + slowest)
-    return pace.budget * decisions + (start - lowest) / pace.fall
+    return pace.budget * decisions + max(0.0, start - 1.0) / pace.fall + pace.window + 1
 
 
 # Closed forms
@@ -56,8 +62,7 @@ def test_it_never_asks_for_more_than_there_is(highest: int) -> None:
 
 
 def test_an_own_violation_takes_a_tenth_of_a_level_and_budget_gives_it_back() -> None:
-    controller = BudgetController(PACE, 0.0)
-    controller.level = 2.5
+    controller = standing(2.5)
     controller.learn(2, violated=True)
     assert pytest.approx(2.5 - 0.1 + 0.0003) == controller.level
     for _ in range(332):
@@ -84,14 +89,29 @@ def test_a_violation_without_amplification_before_it_is_the_controllers_own_and_
 
 @pytest.mark.parametrize(("decisions_later", "own"), [(0, 1), (1, 1), (20, 1), (21, 0)])
 def test_a_violation_is_its_own_as_far_as_the_window_reaches(decisions_later: int, own: int) -> None:
-    controller = BudgetController(PACE, 0.0)
+    controller = standing(3.0)
     for number in range(decisions_later + 1):
         controller.learn(3 if number == 0 else 0, violated=number == decisions_later)
     assert own == controller.own
 
 
+def test_what_others_amplified_without_being_asked_is_not_its_own() -> None:
+    controller = standing(0.5)
+    controller.learn(3, violated=True)
+    assert 0 == controller.own
+
+
+def test_it_does_not_rise_where_less_was_executed_than_it_asked_for() -> None:
+    controller = standing(2.5)
+    for executed in (0, 1):
+        controller.learn(executed, violated=False)
+        assert 2.5 == controller.level
+    controller.learn(2, violated=False)
+    assert 2.504 == controller.level
+
+
 def test_nothing_is_laid_to_what_was_amplified_before_the_trial() -> None:
-    controller = BudgetController(PACE, 0.0)
+    controller = standing(3.0)
     controller.learn(3, violated=False)
     controller.forget()
     controller.learn(0, violated=True)
@@ -99,7 +119,7 @@ def test_nothing_is_laid_to_what_was_amplified_before_the_trial() -> None:
 
 
 def test_a_decision_that_teaches_nothing_is_remembered_as_amplified() -> None:
-    controller = BudgetController(PACE, 0.0)
+    controller = standing(3.0)
     controller.pass_over(3)
     controller.learn(0, violated=True)
     assert 1 == controller.own
@@ -166,14 +186,39 @@ def test_own_violations_stay_within_the_budget_and_a_constant_whatever_the_plant
     assert controller.own <= pace.budget * 20_000 + bound(controller, start or 0.0, 0)
 
 
+@pytest.mark.parametrize(
+    "options", [{}, {"fall": 20.0}, {"fall": 20.0, "window": 5, "climb": 0.0}, {"budget": 0.01, "fall": 1.0}]
+)
+@pytest.mark.parametrize("amplifier", ["never", "learning-phase"])
+def test_the_bound_holds_in_a_wrapped_loop_with_slew_whatever_the_amplifier_raises(
+    options: dict[str, Any], amplifier: str
+) -> None:
+    """The plant saves its violations for the end, where the budget of a whole run can be spent at once."""
+    loop = ts.wrap(
+        lambda y: 0.5,
+        action=ts.scalar(-1, 1),
+        condition=lambda y: y > 0,
+        factor=1.8,
+        student={"use": "budgeted"} | options,
+        amplifier={"use": amplifier, "change": "multiplicative"},
+    )
+    student, command, start = loop.engine.student, 0.5, None
+    for number in range(6000):
+        spent = number in (1500,) or number > 5800
+        command = loop.step(float(spent and command > 0.5))
+        if start is None and student.own_violations:
+            start = (number, student.level + student.options.fall)
+    assert start is not None
+    assert student.own_violations <= bound(student._controller, start[1], 6000 - start[0])
+
+
 def test_the_book_balances_to_the_last_violation() -> None:
     """Without climb and ceiling: level = start + fall x (budget x decisions - own), counted exactly."""
     pace = Pace(0.25, 0.5, 0.0, 20)  # exact in binary
-    controller = BudgetController(pace, 0.0)
-    controller.level, draw = 3.0, random.Random(3)
-    controller.learn(3, violated=True)
+    controller, draw = standing(3.0, pace), random.Random(3)
+    controller.learn(9, violated=True)
     for _ in range(999):
-        controller.learn(3, violated=draw.random() < 0.4)
+        controller.learn(9, violated=draw.random() < 0.4)
     expected = 3 + Fraction(1, 2) * (Fraction(1, 4) * 1000 - controller.own)
     assert expected == Fraction(controller.level)
 
@@ -271,6 +316,8 @@ def test_what_it_learned_is_taken_back() -> None:
         ({"level": float("nan"), "own": 0, "decisions": 1}, "'level': some of its values are not finite"),
         ({"level": [1.0, 2.0], "own": 0, "decisions": 1}, "'level': found the shape"),
         ({"level": 1.0, "own": 0, "decisions": 1, "more": 2}, "nothing named 'more'"),
+        ({"level": 1.0, "own": -3, "decisions": 1}, "'own': found -3; it is a count"),
+        ({"level": 1.0, "own": 0, "decisions": 0.5}, "'decisions': found 0.5; it is a count"),
     ],
 )
 def test_what_it_cannot_have_learned_is_refused_and_changes_nothing(state: dict[str, Any], problem: str) -> None:

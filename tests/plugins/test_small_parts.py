@@ -45,6 +45,7 @@ def bound(part: Any) -> Any:
 def test_bumped_is_what_the_robot_reports() -> None:
     assert [True, False] == [Bumped().violated(state(stalled=stalled)) for stalled in (True, False)]
     assert [2.0] * 16 == Bumped().margins(state())
+    assert [2.0, 2.0, 2.0, 0.0] == Bumped().margins(state(0.06, stalled=True))[:4]  # 0 where it is violated
 
 
 def test_near_has_a_margin_that_is_zero_where_it_begins_to_be_violated() -> None:

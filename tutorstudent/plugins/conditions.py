@@ -18,7 +18,8 @@ from tutorstudent.sims.pioneer.types import PioneerState
 class Bumped(Condition[PioneerState]):
     """The robot reports that it hit an obstacle, at any moment since the decision (Thesis 3.3.5).
 
-    Its margins are the sonar readings, in metres: near 0 something is about to be touched.
+    Its margins are the sonar readings, in metres; where it is violated, the smallest is 0, since the robot's outline is
+    not where its sonars are.
     """
 
     name = "bumped"
@@ -28,6 +29,8 @@ class Bumped(Condition[PioneerState]):
 
     def margins(self, state: PioneerState) -> Sequence[float]:
         margins: list[float] = state.sonar_m.tolist()
+        if self.violated(state):
+            margins[int(state.sonar_m.argmin())] = 0.0
         return margins
 
 

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import copy
+import gc
+import pickle
+import sys
+import weakref
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
 import tutorstudent as ts
@@ -14,6 +20,7 @@ from tutorstudent.core.roles.leaves import change
 from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.plugins.amplifiers import Never
 from tutorstudent.plugins.changes import Multiplicative
+from tutorstudent.plugins.controls import Constant
 
 
 def looking(look: Callable[[ts.Moment[Any, Any]], Any], level: int = 0) -> tuple[LevelStudent, list[Any]]:
@@ -109,3 +116,52 @@ def test_a_student_is_told_the_margins_of_this_very_state_once_one_was_judged() 
     wrapped.reset()
     wrapped.step(3.0)
     assert [None, {"says": (2.0,)}, None] == found
+
+
+def test_a_decision_that_is_over_is_let_go_at_once_also_where_nobody_collects() -> None:
+    class Curious(Constant):
+        def propose(self, moment: ts.Moment[Any, Any]) -> LevelProposal:
+            moment.levels.measure(3)
+            return super().propose(moment)
+
+    loop = ts.wrap(lambda state: 0.1, action=ts.scalar(-1, 1), student=Curious(level=2))
+    states = [np.zeros(3) for _ in range(5)]
+    watched = [weakref.ref(state) for state in states]
+    gc.disable()
+    try:
+        while states:
+            loop.step(states.pop(0))
+        assert [None, None] == [ref() for ref in watched[:2]]
+    finally:
+        gc.enable()
+
+
+def test_a_copy_of_a_moment_keeps_all_but_the_levels() -> None:
+    student, found = looking(lambda moment: (moment, copy.deepcopy(moment), pickle.loads(pickle.dumps(moment))))
+    condition = Measures(violated=lambda state: False, margins=lambda state: [state], label="says")
+    wrapped = engine(forward(0.1), student, conditions=[condition])
+    wrapped.step(1.0)
+    wrapped.step(2.0)
+    own, *copies = found[-1]
+    assert [own._replace(levels=None)] * 2 == copies
+    assert {"says": (2.0,)} == copies[0].margins
+
+
+def test_a_level_that_is_no_whole_number_is_the_students_incident() -> None:
+    student, _ = looking(lambda moment: moment.levels.settle(2.5))
+    wrapped = engine(forward(0.1), student)
+    wrapped.step(None)
+    assert {("student", "raised"): 1} == wrapped.incident_counts
+
+
+def test_a_student_that_changes_the_recursion_limit_before_it_asks_is_blamed_itself() -> None:
+    before = sys.getrecursionlimit()
+
+    def meddle(moment: ts.Moment[Any, Any]) -> int:
+        sys.setrecursionlimit(before + 77)
+        return moment.levels.settle(3)
+
+    student, _ = looking(meddle)
+    wrapped = engine(forward(0.1), student)
+    wrapped.step(None)
+    assert {("student", "mutated"): 1} == wrapped.incident_counts

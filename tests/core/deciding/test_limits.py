@@ -233,13 +233,22 @@ def test_slew_counts_from_the_level_that_moved_something() -> None:
     assert [2, 4, 0, 2, 4] == [decided(wrapped)[1] for _ in range(5)]
 
 
-def test_a_change_that_stops_growing_has_no_levels_beyond() -> None:
+def test_a_change_that_stops_growing_keeps_its_levels_so_that_slew_can_pass_them() -> None:
     @change("three at most")
     def three_at_most(amplification: float, magnitude: float) -> float:
         return min(amplification, 0.3)
 
     wrapped = engine(forward(0.1), level(7), amplifier=Never(change=three_at_most()))
-    assert (3, 3) == decided(wrapped)
+    assert (7, 7) == decided(wrapped)
+
+
+def test_slew_climbs_over_levels_that_a_change_makes_equal() -> None:
+    @change("pairs")
+    def pairs(amplification: float, magnitude: float) -> float:
+        return (round(10 * amplification) + 1) // 2 / 5
+
+    wrapped = engine(forward(0.0), level(6), amplifier=Never(change=pairs()), limits=Limits(slew=1))
+    assert [1, 2, 3, 4] == [decided(wrapped)[1] for _ in range(4)]
 
 
 def test_a_change_that_moves_nothing_at_all_has_level_0() -> None:
@@ -278,6 +287,15 @@ STOPPED = {
 
 
 @pytest.mark.parametrize("case", STOPPED)
+def test_what_was_taken_back_and_executed_after_all_is_limited_as_it_was_decided() -> None:
+    wrapped = engine(forward(0.1), level(9), limits=Limits(cap=0.35))
+    action = wrapped.step(None)
+    wrapped.executed(DriveAction(kind="forward", translation=0.1))
+    wrapped.executed(action)
+    wrapped.evaluate(None)
+    assert ("cap", 3) == (wrapped.last.limited_by, wrapped.last.decision.resulting.level)
+
+
 def test_a_bound_is_told_from_having_nothing_to_move(case: str) -> None:
     action, by = STOPPED[case]
     wrapped = engine(len, level(3), tutor=tutor(action))

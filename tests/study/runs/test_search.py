@@ -224,10 +224,11 @@ def test_environments_may_get_different_levels_and_the_sentence_tells_them_apart
     assert made == settle(made, searched)
 
 
-def test_an_older_search_that_tried_more_levels_is_left_alone(planned: Planned) -> None:
+def test_an_older_search_that_chose_a_level_beyond_the_limits_means_the_highest_within(planned: Planned) -> None:
     levels = tuple(Level("short", i, 1, float(i), 0.0, chosen=i == 8) for i in range(9))
-    plan = planned()
-    assert plan == settle(plan, Searched("turns", 0.001, (1_000_000,), levels))
+    made = settle(planned(), Searched("turns", 0.001, (1_000_000,), levels))
+    [control] = [variant for variant in made.variants() if variant.name == BEST]
+    assert 4 == control.pipeline["student"]["level"]
 
 
 def test_a_level_that_breaks_the_budget_for_want_of_others_says_so(planned: Planned) -> None:

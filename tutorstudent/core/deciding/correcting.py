@@ -41,10 +41,7 @@ class Corrector(Generic[StateT, ActionT]):
 
     def _write(self, turn: Turn[StateT, ActionT], executed: ActionT, level: int, rung: Rung) -> None:
         asked, record = turn._asked, rebuild(executed)
-        if level < asked.resulting.level:
-            turn._limited_by = TOLD
-        elif turn._limited_by == TOLD:
-            turn._limited_by = ""
+        turn._limited_by = TOLD if level < asked.resulting.level else turn._decided_by
         turn._decision = asked._replace(
             selected=asked.selected._replace(level=min(level, asked.selected.level)),
             resulting=asked.resulting._replace(level=level),

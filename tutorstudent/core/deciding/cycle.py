@@ -105,6 +105,7 @@ class Cycle(Generic[StateT, ActionT, ProposalT]):
         if turn._action is not turn._original:
             record = rebuild(turn._action)
             turn._seals = turn._seals[0], seal(record)
+        turn._decided_by = turn._limited_by
         turn._decision = turn._asked = Decision(turn._moment, turn._selected, turn._resulting, record, turn._proposal)
         self._limiter.remember(turn._original.kind, turn._resulting.level, turn._rung)
         self.turn = turn

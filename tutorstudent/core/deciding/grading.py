@@ -36,7 +36,8 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
     def grade(self, turn: Turn[StateT, ActionT]) -> None:
         """Write what is proposed, what is selected and what results, within the limits."""
         part = ""
-        turn._moment = turn._moment._replace(levels=Foresight(self._limiter, turn, self._in_amplifier))
+        turn._foresight = Foresight(self._limiter, turn._original, turn._groups, self._guard, self._in_amplifier)
+        turn._moment = turn._moment._replace(levels=turn._foresight)
         try:
             for step in self._steps:
                 part, take = step

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from types import MappingProxyType
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Generic
 
 from tutorstudent.core.deciding.guard import Breach, Guard
@@ -12,7 +11,32 @@ from tutorstudent.core.roles.leaves import Condition
 from tutorstudent.core.words.proposals import require_bit, require_number
 from tutorstudent.core.words.records import Margins, Outcome, StateT
 
-NO_MARGINS: Margins = MappingProxyType({})
+
+class ReadOnly(Mapping[str, tuple[float, ...]]):
+    """Margins by condition, for reading; unlike a mapping proxy it can be copied and sent to another process."""
+
+    __slots__ = ("_margins",)
+
+    def __init__(self, margins: Mapping[str, tuple[float, ...]]) -> None:
+        self._margins = dict(margins)
+
+    def __getitem__(self, name: str) -> tuple[float, ...]:
+        return self._margins[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._margins)
+
+    def __len__(self) -> int:
+        return len(self._margins)
+
+    def __repr__(self) -> str:
+        return repr(self._margins)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._margins,)
+
+
+NO_MARGINS: Margins = ReadOnly({})
 
 
 class Judge(Generic[StateT]):
@@ -43,7 +67,7 @@ class Judge(Generic[StateT]):
                 self._guard.record(f"conditions.{name}", error)
             if answer:
                 violated.append(name)
-        before, self.margins = self.margins, MappingProxyType(margins) if margins else NO_MARGINS
+        before, self.margins = self.margins, ReadOnly(margins) if margins else NO_MARGINS
         return Outcome(state, tuple(violated), before, self.margins)
 
 

@@ -61,14 +61,17 @@ class Ladder:
         return low
 
     def _settle(self, level: int) -> int:
-        """Return the lowest level that moves the action as far as this one."""
+        """Return the lowest level that moves the action as far as this one, where a bound makes it void.
+
+        A change that does not grow from one level to the next is its author's affair: its levels stay what they are.
+        """
         if level == 0:
             return 0
         ends = self._reach(level)
         if ends == self._own:
             self.limit = "bounds" if self._is_stopped(level) else "nothing to move"
             return 0
-        if self._reach(level - 1) != ends:
+        if self._reach(level - 1) != ends or self.get_rung(level).fractions == self.get_rung(level - 1).fractions:
             return level
         low, high = 0, level - 1
         while high - low > 1:

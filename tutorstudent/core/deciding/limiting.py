@@ -55,18 +55,21 @@ class Limiter:
         """Take in what is executed: slew counts from there."""
         self.last = kind, Limited(level, rung)
 
-    def find_range(self, turn: Turn[Any, Any]) -> tuple[int, int | None]:
-        """Return the lowest and the highest level that slew allows in a turn; None without slew."""
-        kind = turn._original.kind
+    def find_range(self, kind: str) -> tuple[int, int | None]:
+        """Return the lowest and the highest level that slew allows for a kind now; None without slew."""
         return self._floor(kind), None if self._slew is None else self._last_level(kind) + self._slew
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""
-        ladder: Ladder | None = turn._ladder
-        if ladder is None:
-            measure = partial(ask_change, self._change, self._amount, self._find_sizes(turn._original, turn._groups))
-            ladder = turn._ladder = Ladder(measure, turn._original, turn._groups, self._limits)
+        if turn._foresight is None:  # nobody was asked for anything
+            return self.make_ladder(turn._original, turn._groups)
+        ladder: Ladder = turn._foresight.ladder
         return ladder
+
+    def make_ladder(self, original: Action, groups: tuple[Group, ...]) -> Ladder:
+        """Return what each level would move, as the amplifier's change says."""
+        measure = partial(ask_change, self._change, self._amount, self._find_sizes(original, groups))
+        return Ladder(measure, original, groups, self._limits)
 
     def limit_selected(self, turn: Turn[Any, Any]) -> tuple[int, str]:
         """Return what the limits leave of the selected level, and why it is another."""
@@ -79,7 +82,7 @@ class Limiter:
         if resulting == floor == 0:
             return NOTHING
         level, by = self._climb(turn, resulting)
-        ladder: Ladder = turn._ladder
+        ladder = self.get_ladder(turn)
         if floor > level:
             return _hold(floor, level, by, ladder)
         return Limited(level, ladder.get_rung(level), by)

@@ -12,4 +12,6 @@ class Limits(Options):
 
     cap: float = Field(0.8, gt=0, description="largest change of a component, in units of its scale (0.8 = 8 levels)")
     factor: float | None = Field(None, ge=1, description="largest ratio of a component's magnitude to the tutor's own")
-    slew: int | None = Field(None, ge=1, description="largest change of the level from one decision to the next")
+    slew: int | None = Field(
+        None, ge=1, description="largest step of the level up or down; down at once where more moves nothing"
+    )

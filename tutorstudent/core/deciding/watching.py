@@ -165,6 +165,6 @@ def explain_limit(engine: Engine[Any, Any, Any], by: str) -> str:
         return f"{change} even level 1 exceeds limits.cap {limits.cap:g}. Raise the cap, or lower amplifier.amount."
     return (
         f"{change} even level 1 exceeds limits.factor {limits.factor:g} of such commands. Use change: multiplicative "
-        f"with an amount of at most factor - 1, as in amplifier: {{use: learning-phase, change: multiplicative}}, or "
-        "raise limits.factor, or write null for none."
+        "with an amount of at most factor - 1, as in amplifier: {use: learning-phase, decisions: 0, change: "
+        "multiplicative}, or raise limits.factor, or write null for none."
     )

@@ -44,13 +44,15 @@ class Turn(Generic[StateT, ActionT]):
     _groups: tuple[Group, ...]
     _moment: Moment[StateT, ActionT]
     _proposal: Proposal | None = None
-    _ladder: Any = None
-    """What each level would move; None until it is needed."""
+    _foresight: Any = None
+    """What each level would execute; None where the student is not asked."""
     _selected: GradedAction[ActionT]
     _resulting: GradedAction[ActionT]
     _rung: Rung
     """What the resulting level moves."""
     _limited_by = ""
+    _decided_by = ""
+    """The same as it was when the decision was made."""
     _incidents: list[Incident]
     _action: ActionT
     """What leaves for the robot, or what somebody says was executed instead."""

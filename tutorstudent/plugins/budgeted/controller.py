@@ -31,11 +31,12 @@ class Pace:
 class BudgetController:
     """Says how high to go, from whether anything was violated.
 
-    An *own* violation is one that comes at most `window` decisions after an amplified one, or at an amplified one. Any
-    other is the controller's, and says nothing about amplification.
+    An *own* violation is one that comes at most `window` decisions after one that it asked to amplify and that was
+    amplified, or at such a decision. Any other is the controller's, and says nothing about amplification.
 
     Before the first own violation the level rises by `climb` a decision; from then on by fall x budget, and each own
-    violation takes `fall` away. The level may fall below 0: what was spent beyond the budget is made up for.
+    violation takes `fall` away. It does not rise where less was executed than was asked for. The level may fall below
+    0: what was spent beyond the budget is made up for.
     """
 
     def __init__(self, pace: Pace, level: float) -> None:
@@ -46,17 +47,20 @@ class BudgetController:
         """Own violations so far."""
         self.decisions = 0
         """Decisions that taught something."""
+        self.asked = 0
+        """What was asked for last."""
         self._since = UNAMPLIFIED
 
     def ask(self, highest: int) -> int:
         """Return the level to ask for, 0 to `highest`; what is beyond it is given up."""
         if self.level >= highest + 1:
             self.level = math.nextafter(highest + 1, 0.0)
-        return int(self.level) if self.level > 0.0 else 0
+        self.asked = int(self.level) if self.level > 0.0 else 0
+        return self.asked
 
     def pass_over(self, executed_level: int) -> None:
         """Take in a decision that teaches nothing, but was executed."""
-        self._since = 0 if executed_level else self._since + 1
+        self._since = 0 if self.asked and executed_level else self._since + 1
 
     def learn(self, executed_level: int, violated: bool) -> None:
         """Take in what a decision led to."""
@@ -66,7 +70,7 @@ class BudgetController:
         if violated and self._since <= pace.window:
             self.own += 1
             self.level -= pace.fall * (1.0 - pace.budget)
-        else:
+        elif executed_level >= self.asked:
             self.level += pace.fall * pace.budget if self.own else pace.climb
 
     def forget(self) -> None:

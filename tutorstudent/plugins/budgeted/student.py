@@ -8,6 +8,7 @@ from tutorstudent.core.roles import part
 from tutorstudent.core.roles.interfaces import Student
 from tutorstudent.core.roles.part import Field, Learned
 from tutorstudent.core.words.actions import ActionT
+from tutorstudent.core.words.errors import ContractError
 from tutorstudent.core.words.proposals import LevelProposal
 from tutorstudent.core.words.records import Lesson, Moment, StateT
 from tutorstudent.core.words.turn import Turn
@@ -80,7 +81,10 @@ class Budgeted(Student[StateT, ActionT, LevelProposal]):
         return {"level": controller.level, "own": controller.own, "decisions": controller.decisions}
 
     def load_state_dict(self, state: Learned) -> None:
-        taken = take_arrays(f"student '{self.name}'", state, {"level": (), "own": (), "decisions": ()})
-        controller = self._controller
+        owner, controller = f"student '{self.name}'", self._controller
+        taken = take_arrays(owner, state, {"level": (), "own": (), "decisions": ()})
+        for name in ("own", "decisions"):
+            if taken[name] < 0 or taken[name] % 1:
+                raise ContractError(f"{owner} cannot load '{name}': found {taken[name]:g}; it is a count.")
         controller.level = float(taken["level"])
         controller.own, controller.decisions = int(taken["own"]), int(taken["decisions"])

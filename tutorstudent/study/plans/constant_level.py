@@ -133,9 +133,8 @@ def _add_best(environment: Environment, tried: Environment, searched: Searched) 
     found = searched.chosen(environment.name)
     if found is None or BEST in [variant.name for variant in environment.variants]:
         return environment
-    winner = next((variant for variant in tried.variants if variant.name == name_candidate(found.level)), None)
-    if winner is None:  # an older search, which tried levels that the limits do not allow
-        return environment
+    level = min(found.level, max(list_levels(tried)))  # an older search may have tried levels that are the same
+    winner = next(variant for variant in tried.variants if variant.name == name_candidate(level))
     about = f"{winner.about} {_explain(found, searched)}"
     return environment._replace(
         variants=(*environment.variants, Variant(BEST, about, True, winner.pipeline, winner.counters))
