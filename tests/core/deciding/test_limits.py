@@ -286,7 +286,6 @@ STOPPED = {
 }
 
 
-@pytest.mark.parametrize("case", STOPPED)
 def test_what_was_taken_back_and_executed_after_all_is_limited_as_it_was_decided() -> None:
     wrapped = engine(forward(0.1), level(9), limits=Limits(cap=0.35))
     action = wrapped.step(None)
@@ -296,6 +295,7 @@ def test_what_was_taken_back_and_executed_after_all_is_limited_as_it_was_decided
     assert ("cap", 3) == (wrapped.last.limited_by, wrapped.last.decision.resulting.level)
 
 
+@pytest.mark.parametrize("case", STOPPED)
 def test_a_bound_is_told_from_having_nothing_to_move(case: str) -> None:
     action, by = STOPPED[case]
     wrapped = engine(len, level(3), tutor=tutor(action))
