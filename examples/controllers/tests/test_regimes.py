@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -33,6 +34,7 @@ FOUND = {
     "level_2": (300.0, 90.0),
     "budgeted": (180.0, 12.0),
     "blind": (299.0, 89.0),
+    "ramp": (170.0, 20.0),
 }
 
 
@@ -62,16 +64,18 @@ def test_where_the_blind_twin_has_no_violations_of_its_own_there_is_no_ratio() -
 
 def test_the_sheet_marks_what_misses_and_counts_what_holds() -> None:
     text = write_sheet(TOY, judge(TOY, runs(**FOUND)))
-    assert "| toy | 101 / 5 | 181 / 12 | 300 / 89 | 1: 151 / 14 | 7 / 10 | 1.20 | 0.60 (!) | 12.0 | 3 |" in text
+    assert (
+        "| toy | 101 / 5 | 181 / 12 | 300 / 89 | 171 / 20 | 1: 151 / 14 | 7 / 10 | 1.20 | 0.60 (!) | 12.0 | 3 |" in text
+    )
     assert "| own violations within 1.5 x the budget in 90 % of the cells | 1 of 1 |" in text
     assert "| 12.0 x over 1 cells |" in text
     assert "| gain at least 0.9 of the blind twin's | 0 of 1 cells |" in text
-    assert "| 0 | 1 | 0 | 1 |\n| 1 | 1 | 0 | 1 |\n| 2 | 1 | 0 | 1 |" in text
+    assert "| 0 | 1 | 1 | 0 | 0 | 1 |\n| 1 | 1 | 0 | 1 | 0 | 1 |\n| 2 | 1 | 1 | 0 | 0 | 1 |" in text
 
 
 def test_a_level_that_is_better_on_one_and_worse_on_none_is_a_loss() -> None:
     text = write_sheet(TOY, judge(TOY, runs(**FOUND | {"level_1": (190.0, 12.0)})))
-    assert "| 1 | 0 | 1 | 1 |" in text
+    assert "| 1 | 0 | 1 | 0 | 1 | 1 |" in text
 
 
 def test_a_cell_without_whole_pairs_is_left_out() -> None:
@@ -119,3 +123,18 @@ def test_a_study_in_small_runs_and_goes_on_where_it_was_stopped(
     assert "24 runs, 0 failed" in capsys.readouterr().out
     assert 0 == main(arguments)
     assert first == (tmp_path / SHEET).read_text()
+
+
+def test_a_level_beyond_a_cells_limits_is_its_highest_one() -> None:
+    wide = Cell("wide", "found", {}, (1, 2, 3))
+    others = [run._replace(environment="wide") for run in runs(**FOUND, level_3=(400.0, 5.0))]
+    text = write_sheet(
+        TOY._replace(cells=(CELL, wide)), judge(TOY._replace(cells=(CELL, wide)), runs(**FOUND) + others)
+    )
+    assert "| 3 | 1 | 2 | 0 | 1 | 2 |" in text
+
+
+def test_a_gain_that_is_not_positive_has_no_ratio_and_misses() -> None:
+    [verdict] = judge(TOY, runs(**{name: (gain - 400, violated) for name, (gain, violated) in FOUND.items()}))
+    assert math.isnan(verdict.share_of_best)
+    assert "nan (!)" in write_sheet(TOY, [verdict])

@@ -15,6 +15,7 @@ HEAD = (
     "tutor alone",
     "**budgeted**",
     "*blind*",
+    "*ramp*",
     "*best fixed level*",
     "own violations / budget",
     "of the best fixed",
@@ -43,6 +44,7 @@ def _cells(registered: Registered, item: Verdict) -> Iterator[str]:
     yield _pair(item.alone)
     yield _pair(item.budgeted)
     yield _pair(item.blind)
+    yield _pair(item.ramp)
     yield f"{item.best}: {_pair(item.fixed)}"
     yield _mark(f"{item.own:.0f} / {item.allowed:.0f}", item.keeps_budget <= registered.within)
     yield _mark(f"{item.share_of_best:.2f}", item.share_of_best >= registered.share)
@@ -79,17 +81,25 @@ def _promises(registered: Registered, verdicts: Sequence[Verdict]) -> Iterator[s
 
 
 def _singles(verdicts: Sequence[Verdict]) -> Iterator[str]:
-    """Say how it fares against one and the same level everywhere."""
+    """Say how it fares against one and the same level everywhere; levels beyond the limits are the highest within."""
     yield _row(
-        ["one fixed level everywhere", "budgeted better on gain or violations", "worse on one, better on none", "cells"]
+        [
+            "one fixed level everywhere",
+            "budgeted better on gain or violations",
+            "the level better on gain or violations",
+            "budgeted better on one, worse on none",
+            "the level better on one, worse on none",
+            "cells",
+        ]
     )
-    yield _row(["---", "---:", "---:", "---:"])
+    yield _row(["---", "---:", "---:", "---:", "---:", "---:"])
     for level in sorted({level for item in verdicts for level in item.against}):
-        there = [item.against[level] for item in verdicts if level in item.against]
+        there = [item.against[max(known for known in item.against if known <= level)] for item in verdicts]
         better = [_is_above(gain) or _is_below(violated) for gain, violated in there]
         worse = [_is_below(gain) or _is_above(violated) for gain, violated in there]
+        won = sum(good and not bad for good, bad in zip(better, worse, strict=True))
         lost = sum(bad and not good for good, bad in zip(better, worse, strict=True))
-        yield _row([str(level), str(sum(better)), str(lost), str(len(there))])
+        yield _row(map(str, (level, sum(better), sum(worse), won, lost, len(there))))
 
 
 def _is_above(found: Difference) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from tutorstudent.study import Run
 from tutorstudent_controllers.paired import Difference, difference
 from tutorstudent_controllers.regimes.registered import Cell, Registered
-from tutorstudent_controllers.regimes.running import BLIND, BUDGETED, name_level
+from tutorstudent_controllers.regimes.running import BLIND, BUDGETED, RAMP, name_level
 
 Numbers = NDArray[np.float64]
 
@@ -32,6 +33,8 @@ class Verdict(NamedTuple):
     alone: Measured
     budgeted: Measured
     blind: Measured
+    ramp: Measured
+    """One level more while the tutor's kind stays: no learning."""
     best: int
     """The level with the highest mean gain among those whose own violations keep the budget; 0 is the tutor alone."""
     fixed: Measured
@@ -50,13 +53,13 @@ class Verdict(NamedTuple):
 
     @property
     def share_of_best(self) -> float:
-        """Gain as a share of the best fixed level's in hindsight."""
-        return float(self.budgeted.gain.mean() / self.fixed.gain.mean())
+        """Gain as a share of the best fixed level's in hindsight; NaN where that gained nothing."""
+        return _divide(self.budgeted, self.fixed)
 
     @property
     def share_of_blind(self) -> float:
-        """Gain as a share of the blind twin's."""
-        return float(self.budgeted.gain.mean() / self.blind.gain.mean())
+        """Gain as a share of the blind twin's; NaN where that gained nothing."""
+        return _divide(self.budgeted, self.blind)
 
     @property
     def times_fewer(self) -> float | None:
@@ -75,7 +78,7 @@ def _judge(
     registered: Registered, cell: Cell, found: Mapping[tuple[str, str, int], Mapping[str, float]]
 ) -> Verdict | None:
     levels = (0, *cell.levels)
-    names = [*map(name_level, levels), BUDGETED, BLIND]
+    names = [*map(name_level, levels), BUDGETED, BLIND, RAMP]
     seeds = [seed for seed in registered.seeds if all((cell.name, name, seed) in found for name in names)]
     if not seeds:
         return None
@@ -98,8 +101,23 @@ def _judge(
     }
     mine = float(budgeted.violated.mean() - alone.violated.mean())
     return Verdict(
-        cell.name, len(seeds), alone, budgeted, measure(BLIND), best, constants[best], mine, allowed, against
+        cell.name,
+        len(seeds),
+        alone,
+        budgeted,
+        measure(BLIND),
+        measure(RAMP),
+        best,
+        constants[best],
+        mine,
+        allowed,
+        against,
     )
+
+
+def _divide(ours: Measured, theirs: Measured) -> float:
+    mean = theirs.gain.mean()
+    return float(ours.gain.mean() / mean) if mean > 0 else math.nan
 
 
 def _compare(ours: Numbers, theirs: Numbers) -> Difference:
