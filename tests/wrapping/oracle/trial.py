@@ -78,7 +78,7 @@ class Trial:
             self.controller, action=action, factor=rules.factor, slew=rules.slew, limits=limits, seed=seed, **parts
         )
         plot.take()  # the change is asked at assembly too, which is no decision
-        self._levels, self._lawful, self._received = Levels(), True, None
+        self._levels, self._lawful, self._received, self._decided = Levels(), True, None, 0
         self._given: tuple[Any, Any] = None, imprint(None)
         """The last command that was written for the owner, and what it said."""
         self._counts: Counter[tuple[str, str]] = Counter()
@@ -150,9 +150,11 @@ class Trial:
             self._note([*found, *got], deeds)
             return
         refused = "action" in blamed
+        slew = self.rules.slew
+        self._decided = judging.HIGHEST if slew is None else min(self._levels.high + slew, judging.HIGHEST)
         change = any(deed.slot == "change" and deed.behaviour.verdict == "either" for deed in deeds)
         parts = [part for part in blamed if part in ("student", "selector", "amplifier")]
-        self._lawful = self._lawful and self.rules.law == "additive" if parts else not change
+        self._lawful = (self._lawful and self.rules.law == "additive" and not change) if parts else not change
         self._levels, breaches = judging.judge_levels(
             self.rules, got, self._levels, self._lawful or refused, refused or written
         )
@@ -179,7 +181,8 @@ class Trial:
         """What is refused is an incident of the part that did it, and the controller's own object leaves."""
         found = []
         hidden = "number" if any(deed.slot == "whole" for deed in deeds) else ""  # another command took its place
-        refused = [deed for deed in deeds if deed.behaviour.verdict == "refused" and deed.slot != hidden]
+        harmless = {hidden, "number"}  # a number may misbehave where it is only looked at; what left was measured
+        refused = [deed for deed in deeds if deed.behaviour.verdict == "refused" and deed.slot not in harmless]
         if refused and not any(part in BLAMES[deed.slot] for part in blamed for deed in refused):
             found.append(Breach("incident", f"went unnoticed (blamed: {', '.join(blamed) or 'nobody'})"))
         if blamed and not deeds and not (blamed == ["action"] and self.rules.kit.grain):
@@ -217,10 +220,13 @@ class Trial:
             self._correct(draw(self._random, self.rules.kit, self.rules.bounds))
 
     def _correct(self, command: Any) -> None:
-        """Say that something else was executed: from then on anything up to the last level can be meant."""
+        """Say that something else was executed: from then on anything up to what was decided can be meant.
+
+        That is more than was received where the decided command was refused.
+        """
         own = self._random.random() < 0.5 and self.controller.said
         self.loop.executed(own.itself if own else command)
-        self._levels, self._received = Levels(0, self._levels.high), None
+        self._levels, self._received = Levels(0, max(self._levels.high, self._decided)), None
 
 
 def run(
