@@ -88,7 +88,7 @@ class Engine(Generic[StateT, ActionT, ProposalT]):
         check_wiring(student, selector)
         limiter = Limiter(self.limits, amplifier, tutor.action)
         self._cycle = Cycle(
-            TutorSeat(tutor, self._guard, on_tutor_failure),
+            TutorSeat(tutor, self._guard, on_tutor_failure, limiter),
             Grader(student, selector, amplifier, limiter, self._guard),
             limiter,
             Judge(self.conditions, self._guard),

@@ -19,7 +19,7 @@ class Foresight:
     the turn that it belongs to, which would keep all of them alive; a copy of it is None.
     """
 
-    __slots__ = ("_floor", "_groups", "_guard", "_in_amplifier", "_ladder", "_limiter", "_original", "_room")
+    __slots__ = ("_groups", "_guard", "_in_amplifier", "_ladder", "_last", "_limiter", "_original")
 
     def __init__(
         self, limiter: Limiter, original: Action, groups: tuple[Group, ...], guard: Guard, in_amplifier: Blame
@@ -27,7 +27,7 @@ class Foresight:
         self._limiter, self._original, self._groups = limiter, original, groups
         self._guard, self._in_amplifier = guard, in_amplifier
         self._ladder: Ladder | None = None
-        self._floor, self._room = limiter.find_range(original.kind)
+        self._last = limiter.last  # as it is now: what is executed later does not count
 
     @property
     def ladder(self) -> Ladder:
@@ -49,8 +49,9 @@ class Foresight:
         self._guard.check_recursion()
         asked = require_level(level)
         with self._in_amplifier:
-            found = self.ladder.climb(max(0, asked if self._room is None else min(asked, self._room)))
-            return found if found >= self._floor else self.ladder.climb(self._floor)
+            floor, room = self._limiter.find_range(self._original.kind, self._last)
+            found = self.ladder.climb(max(0, asked if room is None else min(asked, room)))
+            return found if found >= floor else self.ladder.climb(floor)
         return 0
 
     def measure(self, level: int) -> tuple[float, ...]:
@@ -65,7 +66,7 @@ class Foresight:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Foresight):
             return NotImplemented
-        return (self._floor, self._room) == (other._floor, other._room)
+        return self._last[0] == other._last[0] and self._last[1].level == other._last[1].level
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any, Generic
 
 from tutorstudent.core.deciding.checking import check_graded, check_proposal, check_seal, seal
-from tutorstudent.core.deciding.foresight import Foresight
 from tutorstudent.core.deciding.guard import Guard
 from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.deciding.rendering import render
@@ -30,14 +29,12 @@ class Grader(Generic[StateT, ActionT, ProposalT]):
         self._student, self._selector, self._amplifier = student, selector, amplifier
         self._limiter = limiter
         self._steps = (("student", self._propose), ("selector", self._select), ("amplifier", self._amplify))
-        self._guard, self._in_action, self._in_amplifier = guard, guard.blame("action"), guard.blame("amplifier")
+        self._guard, self._in_action = guard, guard.blame("action")
         self._proposal: Any = selector.proposal
 
     def grade(self, turn: Turn[StateT, ActionT]) -> None:
         """Write what is proposed, what is selected and what results, within the limits."""
         part = ""
-        turn._foresight = Foresight(self._limiter, turn._original, turn._groups, self._guard, self._in_amplifier)
-        turn._moment = turn._moment._replace(levels=turn._foresight)
         try:
             for step in self._steps:
                 part, take = step

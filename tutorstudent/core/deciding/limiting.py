@@ -55,9 +55,12 @@ class Limiter:
         """Take in what is executed: slew counts from there."""
         self.last = kind, Limited(level, rung)
 
-    def find_range(self, kind: str) -> tuple[int, int | None]:
-        """Return the lowest and the highest level that slew allows for a kind now; None without slew."""
-        return self._floor(kind), None if self._slew is None else self._last_level(kind) + self._slew
+    def find_range(self, kind: str, last: tuple[str, Limited]) -> tuple[int, int | None]:
+        """Return the lowest and the highest level that slew allows for a kind after what was executed last."""
+        if self._slew is None:
+            return 0, None
+        level = last[1].level if last[0] == kind else 0
+        return max(0, level - self._slew), level + self._slew
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""

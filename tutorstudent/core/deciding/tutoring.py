@@ -6,7 +6,9 @@ from collections.abc import Callable
 from typing import Any, Generic
 
 from tutorstudent.core.deciding.checking import seal
+from tutorstudent.core.deciding.foresight import Foresight
 from tutorstudent.core.deciding.guard import Guard
+from tutorstudent.core.deciding.limiting import Limiter
 from tutorstudent.core.roles.interfaces import Tutor
 from tutorstudent.core.words.actions import ActionT, rebuild
 from tutorstudent.core.words.errors import ContractError
@@ -17,8 +19,11 @@ from tutorstudent.core.words.turn import Turn
 class TutorSeat(Generic[StateT, ActionT]):
     """Asks the tutor; where it fails, raises or takes the action that the owner wrote down."""
 
-    def __init__(self, tutor: Tutor[StateT, ActionT], guard: Guard, on_failure: ActionT | None) -> None:
+    def __init__(
+        self, tutor: Tutor[StateT, ActionT], guard: Guard, on_failure: ActionT | None, limiter: Limiter
+    ) -> None:
         self._tutor, self._guard, self._on_failure = tutor, guard, on_failure
+        self._limiter, self._in_amplifier = limiter, guard.blame("amplifier")
         self.hears = type(tutor).executed is not Tutor.executed
 
     def ask(
@@ -47,7 +52,8 @@ class TutorSeat(Generic[StateT, ActionT]):
             action, copy, situation = self._on_failure, rebuild(self._on_failure), ""
             turn._void = "the tutor failed"
         turn._original, turn._groups = action, action.vocabulary.groups[action.kind]
-        turn._moment = Moment(number, shown, copy, situation, margins)
+        turn._foresight = Foresight(self._limiter, action, turn._groups, self._guard, self._in_amplifier)
+        turn._moment = Moment(number, shown, copy, situation, margins, turn._foresight)
         turn._seals = (held := seal(copy)), held
 
     def tell(self, turn: Turn[StateT, ActionT]) -> None:
