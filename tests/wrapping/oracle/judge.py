@@ -20,6 +20,8 @@ from tests.wrapping.oracle.kits import Bounds, Kit
 SLACK = Fraction(1, 10**8)
 """Relative; rounding must not look like a breach."""
 TINIEST = Fraction(5e-324)
+TOLERANCE = Fraction(1, 10**9)
+"""Of a number, where a level is told from what somebody wrote (the behaviour contract, 6)."""
 HIGHEST = 1000
 
 
@@ -201,7 +203,8 @@ def judge_levels(rules: Rules, got: Measured, before: Levels, lawful: bool, own:
     if _stopped(rules, got) or _grown(unit, Fraction(0)) < (got.slack * 2**50 * SLACK) ** 2:  # levels look the same
         return Levels(0, most), found
     reached = _count(got.travelled, unit)
-    grain = float(sum(got.grain) + got.slack) / math.sqrt(unit) if math.sqrt(unit) > 1e-300 else float(HIGHEST)
+    coarse = sum(got.grain) + got.slack + got.slack * 2**50 * TOLERANCE  # what is written may miss a level by so much
+    grain = float(coarse) / math.sqrt(unit) if math.sqrt(unit) > 1e-300 else float(HIGHEST)
     low, high = math.ceil(reached * (1 - 1e-6) - grain - 1e-6), math.floor(reached * (1 + 1e-6) + grain + 1e-6)
     return Levels(max(low, 0), min(most, max(high, 0))), found
 
