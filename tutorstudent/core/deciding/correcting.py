@@ -62,10 +62,10 @@ def find_level(turn: Turn[Any, Any], executed: Action, ladder: Ladder) -> int | 
     movable = {name for group in groups for name in group.names}
     if any(done[name] != own[name] for name in original.vocabulary.fields if name not in movable):
         return None
-    ways = [measure_progress(group, own, done) for group in groups]
-    top = ladder.climb(turn._asked.resulting.level)
     if all(done[name] == own[name] for name in movable):
         return 0
+    ways = [measure_progress(group, own, done) for group in groups]
+    top = ladder.climb(turn._asked.resulting.level)
     most = _measure_level(top, turn, ladder)
     slack = [ROUNDING * _measure_size(group, own, done) for group in groups]
     found = list(zip(ways, most, slack, strict=True))

@@ -6,7 +6,7 @@ from typing import Any
 
 from tutorstudent.core.deciding.guard import Blame, Guard
 from tutorstudent.core.deciding.ladder import Ladder
-from tutorstudent.core.deciding.limiting import Limiter
+from tutorstudent.core.deciding.limiting import Limiter, limit
 from tutorstudent.core.deciding.rendering import measure_deviation, measure_distance
 from tutorstudent.core.words.actions import Action, Group
 from tutorstudent.core.words.proposals import require_level
@@ -50,8 +50,7 @@ class Foresight:
         asked = require_level(level)
         with self._in_amplifier:
             floor, room = self._limiter.find_range(self._original.kind, self._last)
-            found = self.ladder.climb(max(0, asked if room is None else min(asked, room)))
-            return found if found >= floor else self.ladder.climb(floor)
+            return limit(self.ladder, max(0, asked), floor, room).level
         return 0
 
     def measure(self, level: int) -> tuple[float, ...]:

@@ -64,8 +64,6 @@ class Limiter:
 
     def get_ladder(self, turn: Turn[Any, Any]) -> Ladder:
         """Return what each level would move in a turn, as the amplifier's change says; made when it is first needed."""
-        if turn._foresight is None:  # nobody was asked for anything
-            return self.make_ladder(turn._original, turn._groups)
         ladder: Ladder = turn._foresight.ladder
         return ladder
 
@@ -77,37 +75,28 @@ class Limiter:
     def limit_selected(self, turn: Turn[Any, Any]) -> tuple[int, str]:
         """Return what the limits leave of the selected level, and why it is another."""
         level = turn._selected.level
-        return self._climb(turn, level) if level else (0, "")
+        if not level:
+            return 0, ""
+        _, room = self.find_range(turn._original.kind, self.last)
+        return _climb(self.get_ladder(turn), level, room)
 
     def limit_resulting(self, turn: Turn[Any, Any], resulting: int) -> Limited:
         """Return what the limits leave of the resulting level; slew may hold it up."""
-        floor = self._floor(turn._original.kind)
+        floor, room = self.find_range(turn._original.kind, self.last)
         if resulting == floor == 0:
             return NOTHING
-        level, by = self._climb(turn, resulting)
-        ladder = self.get_ladder(turn)
-        if floor > level:
-            return _hold(floor, level, by, ladder)
-        return Limited(level, ladder.get_rung(level), by)
+        return limit(self.get_ladder(turn), resulting, floor, room)
 
     def fall_back(self, turn: Turn[Any, Any]) -> Limited:
         """Return the tutor's own action, through slew where that is set, without asking any part.
 
         The way down reuses the distances that were last executed, since the amplifier may be what is broken.
         """
-        floor = self._floor(turn._original.kind)
+        floor, _ = self.find_range(turn._original.kind, self.last)
         if floor == 0:
             return NOTHING
         measure = partial(scale_fractions, self.last[1].rung.fractions, self.last[1].level)
         return _hold(floor, 0, "", Ladder(measure, turn._original, turn._groups, self._limits))
-
-    def _climb(self, turn: Turn[Any, Any], asked: int) -> tuple[int, str]:
-        by = ""
-        if self._slew is not None and asked > (ceiling := self._last_level(turn._original.kind) + self._slew):
-            asked, by = ceiling, "slew"
-        ladder = self.get_ladder(turn)
-        level = ladder.climb(asked)
-        return level, by if level == asked else ladder.limit
 
     def _find_sizes(self, original: Action, groups: tuple[Group, ...]) -> Fractions:
         # A tutor with a finite vocabulary says the same object for long.
@@ -116,11 +105,26 @@ class Limiter:
             self._sized = original, tuple([measure_deviation(group, values) / group.scale for group in groups])
         return self._sized[1]
 
-    def _last_level(self, kind: str) -> int:
-        return self.last[1].level if self.last[0] == kind else 0
 
-    def _floor(self, kind: str) -> int:
-        return 0 if self._slew is None else max(0, self._last_level(kind) - self._slew)
+def limit(ladder: Ladder, asked: int, floor: int, room: int | None) -> Limited:
+    """Return what cap, factor, bounds and slew leave of a level; slew may hold it up.
+
+    Args:
+        ladder: What each level would move.
+        asked: The level.
+        floor: The lowest level that slew allows.
+        room: The highest level that slew allows; None without slew.
+    """
+    level, by = _climb(ladder, asked, room)
+    return _hold(floor, level, by, ladder) if floor > level else Limited(level, ladder.get_rung(level), by)
+
+
+def _climb(ladder: Ladder, asked: int, room: int | None) -> tuple[int, str]:
+    by = ""
+    if room is not None and asked > room:
+        asked, by = room, "slew"
+    level = ladder.climb(asked)
+    return level, by if level == asked else ladder.limit
 
 
 def _hold(floor: int, level: int, by: str, ladder: Ladder) -> Limited:

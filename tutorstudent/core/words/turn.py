@@ -44,8 +44,8 @@ class Turn(Generic[StateT, ActionT]):
     _groups: tuple[Group, ...]
     _moment: Moment[StateT, ActionT]
     _proposal: Proposal | None = None
-    _foresight: Any = None
-    """What each level would execute; None where the student is not asked."""
+    _foresight: Any
+    """What each level would execute."""
     _selected: GradedAction[ActionT]
     _resulting: GradedAction[ActionT]
     _rung: Rung

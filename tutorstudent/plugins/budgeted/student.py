@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from tutorstudent.core.deciding.reach import HIGHEST_USEFUL
 from tutorstudent.core.roles import part
 from tutorstudent.core.roles.interfaces import Student
 from tutorstudent.core.roles.part import Field, Learned
@@ -14,9 +15,6 @@ from tutorstudent.core.words.records import Lesson, Moment, StateT
 from tutorstudent.core.words.turn import Turn
 from tutorstudent.plugins.budgeted.controller import BudgetController, Pace
 from tutorstudent.plugins.learned import take_arrays
-
-HIGHEST = 8
-"""Where nobody says what the limits allow: the thesis's highest level (3.3.2)."""
 
 
 class Budgeted(Student[StateT, ActionT, LevelProposal]):
@@ -44,7 +42,7 @@ class Budgeted(Student[StateT, ActionT, LevelProposal]):
         options = self.options
         pace = Pace(options.budget, options.fall, options.climb, options.window)
         self._controller = BudgetController(pace, options.begin)
-        self._proposals = [LevelProposal(level=level, ampbit=False) for level in range(HIGHEST + 1)]
+        self._proposals = [LevelProposal(level=level, ampbit=False) for level in range(HIGHEST_USEFUL + 1)]
 
     @property
     def proposal(self) -> type[Any]:
@@ -61,7 +59,7 @@ class Budgeted(Student[StateT, ActionT, LevelProposal]):
         return self._controller.level
 
     def propose(self, moment: Moment[StateT, ActionT]) -> LevelProposal:
-        highest = HIGHEST if moment.levels is None else moment.levels.highest
+        highest = HIGHEST_USEFUL if moment.levels is None else moment.levels.highest
         return self._proposals[self._controller.ask(highest)]
 
     def teach(self, lesson: Lesson[StateT, ActionT]) -> None:
