@@ -6,7 +6,7 @@
 | the plan, and its file | `plan`, `planfile`, `differences` |
 | what is to be achieved | `goals` |
 | the constant level that is best | `seeking`, `levels`, `searching` |
-| every run, in parallel, each into a folder of its own | `jobs`, `backends`, `durable`, `timing`, `progress` |
+| every run, in parallel, each into a folder of its own | `jobs`, `finishing`, `backends`, `timing`, `progress` |
 | what is on disk | `results`, `sketches` |
 | what parts declared, and numbers of it | `declared`, `quantities` |
 | numbers of one row, and of two | `statistics`; `pairs`, `intervals`, `significance` |
@@ -21,7 +21,7 @@
 
 Everything after `jobs` reads the folder only, so a report can be made again without running anything.
 
-In a script: `make_plan` and `run_study`; or `run_jobs` and `read_runs` with jobs of its own, each with its pipeline.
+In a script: `make_plan` and `run_study`; or `claim_folder` and `finish_jobs` with jobs of its own and their pipelines.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from tutorstudent.study.plans.planfile import load_plan, save_plan
 from tutorstudent.study.plans.planning import make_plan
 from tutorstudent.study.plans.requests import Request, Setting, read_pipelines, read_setting, read_variation
 from tutorstudent.study.runs.backends import Backend
+from tutorstudent.study.runs.finishing import claim_folder, finish_jobs
 from tutorstudent.study.runs.jobs import Finished, run_jobs
 from tutorstudent.study.runs.results import Failure, Run, Study, pending, read_runs, read_study
 from tutorstudent.study.studies import run_plan, run_study
@@ -55,6 +56,8 @@ __all__ = [
     "Setting",
     "Study",
     "Variant",
+    "claim_folder",
+    "finish_jobs",
     "load_plan",
     "make_plan",
     "pending",

@@ -11,7 +11,7 @@ import tutorstudent as ts
 from tutorstudent.study import Run
 from tutorstudent_controllers.regimes.__main__ import SHEET, main
 from tutorstudent_controllers.regimes.registered import Cell, Registered, change, read
-from tutorstudent_controllers.regimes.running import list_jobs, list_students
+from tutorstudent_controllers.regimes.running import list_jobs, list_students, run
 from tutorstudent_controllers.regimes.sheet import write_sheet
 from tutorstudent_controllers.regimes.verdicts import judge
 
@@ -138,3 +138,14 @@ def test_a_gain_that_is_not_positive_has_no_ratio_and_misses() -> None:
     [verdict] = judge(TOY, runs(**{name: (gain - 400, violated) for name, (gain, violated) in FOUND.items()}))
     assert math.isnan(verdict.share_of_best)
     assert "nan (!)" in write_sheet(TOY, [verdict])
+
+
+@pytest.mark.study
+def test_a_folder_with_other_numbers_is_refused_and_more_seeds_go_on(tmp_path: Path) -> None:
+    whole = read("controllers")
+    cells = tuple(cell for cell in whole.cells if cell.name == "pid dead-8")
+    short = whole._replace(cells=cells, seeds=(3000, 3001), decisions=20)
+    assert 12 == len(run(short, tmp_path, 1, 1)[0])
+    assert 24 == len(run(short, tmp_path, 1)[0])
+    with pytest.raises(ts.PipelineError, match="holds a study with other pipelines, settings or numbers"):
+        run(short._replace(budget=0.01), tmp_path, 1)

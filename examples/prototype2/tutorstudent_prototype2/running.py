@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
 import tutorstudent as ts
-from tutorstudent.study import Failure, Job, Plan, Request, Run, Setting, make_plan, pending, read_runs, run_jobs
+from tutorstudent.study import Failure, Job, Plan, Request, Run, Setting, claim_folder, finish_jobs, make_plan
 from tutorstudent_prototype2.pipelines import ENVIRONMENTS
 
 FIRST_SEED = 0
 """Of everything that is reported; the calibration begins at 100,000."""
-JOBS = "jobs.json"
 
 
 def plan_of(
@@ -53,33 +48,5 @@ def finish(jobs: Sequence[Job], folder: Path, workers: int, title: str) -> tuple
     Raises:
         PipelineError: The folder belongs to other jobs.
     """
-    _claim(jobs, folder)
-    todo = pending(folder, jobs)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True)) as progress:
-        task = progress.add_task(title, total=len(jobs), completed=len(jobs) - len(todo))
-        for finished in run_jobs(todo, folder, workers):
-            progress.advance(task)
-            if finished.problem:
-                progress.console.print(f"failed: {finished.job.folder}: {finished.problem}", markup=False)
-    return read_runs(folder, jobs)
-
-
-def _claim(jobs: Sequence[Job], folder: Path) -> None:
-    """Write down what the folder is for, or make sure that it is for these jobs."""
-    text = json.dumps([job._asdict() for job in jobs], indent=1, default=str) + "\n"
-    path = folder / JOBS
-    try:
-        other = path.exists() and path.read_text(encoding="utf-8") != text
-        folder.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            partial = path.with_name(f".{path.name}.partial")
-            partial.write_text(text, encoding="utf-8")
-            partial.replace(path)
-    except OSError as error:
-        raise ts.PipelineError(f"{folder}: cannot be used: {error.strerror or error}. Give another --out.") from None
-    if other:
-        raise ts.PipelineError(
-            f"{folder}: holds a study with other pipelines, settings or numbers; go on with the same ones, or give "
-            "another --out."
-        )
+    claim_folder(jobs, folder)
+    return finish_jobs(jobs, folder, workers, title)

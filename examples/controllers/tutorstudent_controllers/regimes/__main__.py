@@ -27,10 +27,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen = parser.parse_args(arguments)
     try:
         registered = read(chosen.study)
-        registered = registered._replace(
-            seeds=registered.seeds[: chosen.runs], decisions=chosen.decisions or registered.decisions
-        )
-        runs, failures = run(registered, chosen.out, chosen.workers)
+        registered = registered._replace(decisions=chosen.decisions or registered.decisions)
+        runs, failures = run(registered, chosen.out, chosen.workers, chosen.runs)
     except ts.TutorStudentError as error:
         sys.exit(str(error))
     text = write_sheet(registered, judge(registered, runs))

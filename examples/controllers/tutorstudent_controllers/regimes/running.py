@@ -5,10 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-from tutorstudent.study import Failure, Job, Run, pending, read_runs, run_jobs
+from tutorstudent.study import Failure, Job, Run, claim_folder, finish_jobs
 from tutorstudent_controllers.regimes.registered import Cell, Registered
 
 ALONE, BUDGETED, BLIND, RAMP = "tutor-alone", "budgeted", "blind", "ramp"
@@ -43,16 +40,20 @@ def list_jobs(registered: Registered) -> list[Job]:
     ]
 
 
-def run(registered: Registered, folder: Path, workers: int) -> tuple[list[Run], list[Failure]]:
-    """Run what has no results yet, with progress on standard error, and read all."""
-    jobs = list_jobs(registered)
-    folder.mkdir(parents=True, exist_ok=True)
-    todo = pending(folder, jobs)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True)) as progress:
-        task = progress.add_task("runs", total=len(jobs), completed=len(jobs) - len(todo))
-        for finished in run_jobs(todo, folder, workers):
-            progress.advance(task)
-            if finished.problem:
-                progress.console.print(f"failed: {finished.job.folder}: {finished.problem}", markup=False)
-    return read_runs(folder, jobs)
+def run(
+    registered: Registered, folder: Path, workers: int, seeds: int | None = None
+) -> tuple[list[Run], list[Failure]]:
+    """Run what has no results yet, with progress on standard error, and read all.
+
+    Args:
+        registered: What the folder is for.
+        folder: The study's.
+        workers: How many processes.
+        seeds: Only the first so many of them; the folder can go on with the others later.
+
+    Raises:
+        PipelineError: The folder holds another study, or the same with other numbers.
+    """
+    claim_folder(list_jobs(registered), folder)
+    chosen = registered._replace(seeds=registered.seeds[:seeds])
+    return finish_jobs(list_jobs(chosen), folder, workers, "runs")
